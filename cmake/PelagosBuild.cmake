@@ -1,0 +1,64 @@
+# What every target of the project shares: language level, warnings, sanitizers, output folders, helpers.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+
+option(PELAGOS_WERROR "Treat warnings as errors" OFF)
+set(PELAGOS_SANITIZE "" CACHE STRING "Sanitizers to build with, as in -fsanitize=, e.g. address,undefined or thread")
+
+# Results must not depend on whether the compiler fuses a multiply and an add somewhere else.
+add_compile_options(-ffp-contract=off)
+if(PELAGOS_SANITIZE)
+  add_compile_options(-fsanitize=${PELAGOS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${PELAGOS_SANITIZE})
+endif()
+
+# Warnings as an interface target: our own code links it, generated code does not.
+add_library(pelagos_warnings INTERFACE)
+target_compile_options(pelagos_warnings INTERFACE
+  -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Wcast-align
+  $<$<BOOL:${PELAGOS_WERROR}>:-Werror>)
+
+# pelagos_add_library(name SOURCES a.cpp ... [LINK lib ...])
+# A layer of the project: a static library `name` whose own include root is ./include, so that it sees
+# only the layers it links to. A library without sources is an interface (headers only).
+function(pelagos_add_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  if(ARG_SOURCES)
+    add_library(${name} STATIC ${ARG_SOURCES})
+    target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+    target_link_libraries(${name} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK} pelagos_warnings)
+  else()
+    add_library(${name} INTERFACE)
+    target_include_directories(${name} INTERFACE ${CMAKE_CURRENT_SOURCE_DIR}/include)
+    target_link_libraries(${name} INTERFACE ${ARG_LINK})
+  endif()
+endfunction()
+
+# pelagos_add_program(name SOURCES main.cpp ... [LINK lib ...])
+function(pelagos_add_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} pelagos_warnings)
+endfunction()
+
+# pelagos_add_test(name SOURCES test_a.cpp ... [LINK lib ...] [LABELS unit] [TIMEOUT seconds])
+# A GoogleTest program registered with ctest, each TEST a ctest entry.
+function(pelagos_add_test name)
+  cmake_parse_arguments(ARG "" "LABELS;TIMEOUT" "SOURCES;LINK" ${ARGN})
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS unit)
+  endif()
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main pelagos_warnings)
+  target_compile_definitions(${name} PRIVATE PELAGOS_SOURCE_DIR="${CMAKE_SOURCE_DIR}" PELAGOS_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${ARG_LABELS} TIMEOUT ${ARG_TIMEOUT})
+endfunction()

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pelagos {
+
+/// The record that pair loops gather: one 16-byte load brings a neighbour's coordinates and one scalar.
+struct alignas(16) Float4 {
+  float x = 0, y = 0, z = 0, w = 0;
+};
+
+/// Fluid particles, in cell order (re-sorted every step). Positions in metres relative to the world's origin.
+/// All particles have the same volume V = d^3; density is in volume form, delta = rho / rho0 (no unit).
+/// Arrays hold `padded_count(count)` entries, so that a group of lanes may be read whole; entries past `count` are a
+/// far dummy that contributes nothing.
+struct FluidParticles {
+  std::size_t count = 0;
+  std::vector<Float4> position;            ///< x, y, z; w unused between steps
+  std::vector<Float4> velocity;            ///< m/s
+  std::vector<Float4> acceleration;        ///< m/s^2, of the last step: gravity, viscosity, wind
+  std::vector<float> density;              ///< delta, at the positions at the end of the step
+  std::vector<float> density_pressure;     ///< m^2, warm start of the density solve
+  std::vector<float> divergence_pressure;  ///< m^2, warm start of the divergence solve
+  std::vector<std::uint32_t> id;           ///< stable identity: index at creation
+};
+
+/// Boundary samples (Akinci et al. 2012): position and volume V_b in one record, and the velocity of the wall.
+struct BoundaryParticles {
+  std::size_t count = 0;
+  std::vector<Float4> position;  ///< x, y, z in m; w = V_b in m^3
+  std::vector<Float4> velocity;  ///< m/s
+};
+
+/// Lanes of a group: 16 consecutive particles are worked on together.
+inline constexpr std::size_t kLanes = 16;
+
+[[nodiscard]] constexpr std::size_t padded_count(std::size_t count) { return (count + kLanes) / kLanes * kLanes; }
+
+}  // namespace pelagos

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "packing/surface_particle.hpp"
+#include "values/body.hpp"
+#include "values/status.hpp"
+
+namespace pelagos {
+
+/// One frame, as the physics thread hands it to the publisher. Owned by one thread at a time.
+struct Snapshot {
+  std::uint64_t frame = 0;                           ///< 0, 1, ... one each frame interval of simulated time
+  double simulation_time = 0.0;                      ///< s, frame * frame_interval
+  std::int64_t wall_time_ns = 0;                     ///< system clock, when the frame was completed
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world; particle positions are relative to it
+  std::uint32_t total_particles = 0;  ///< in the simulation; the difference to particles.size() was left out
+  std::vector<SurfaceParticle> particles;
+  std::vector<BodyState> bodies;
+  ServerStatus status;
+};
+
+}  // namespace pelagos

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "values/body.hpp"
+#include "values/wind.hpp"
+
+namespace pelagos {
+
+/// The health of the server, as published on `status_v1` and answered over the control link. All over the last second
+/// unless stated.
+struct ServerStatus {
+  std::string scene;
+  std::uint64_t step = 0;
+  std::uint64_t frame = 0;
+  double simulation_time = 0.0;  ///< s
+  bool paused = false;
+  double real_time_factor = 0.0;             ///< simulated seconds per wall second
+  double achievable_real_time_factor = 0.0;  ///< simulated seconds per second spent stepping: above 1 is headroom
+  double step_ms = 0.0;                      ///< mean wall time of a step
+  double time_step = 0.0;                    ///< s, mean
+  std::uint32_t particles = 0;
+  std::uint32_t boundary_particles = 0;
+  std::uint32_t published_particles = 0;  ///< in the last frame
+  double density_error = 0.0;             ///< mean of max(rho/rho0 - 1, 0), fraction
+  double largest_density = 0.0;           ///< max of rho/rho0
+  double density_iterations = 0.0;
+  double divergence_iterations = 0.0;
+  double kinetic_energy = 0.0;         ///< J
+  double largest_speed = 0.0;          ///< m/s
+  std::uint64_t frames_published = 0;  ///< since the start
+  std::uint64_t frames_dropped = 0;    ///< replaced in the mailbox before the publisher took them, since the start
+  std::uint64_t poses_accepted = 0;
+  std::uint64_t poses_refused = 0;
+  std::optional<WindSettings> wind;  ///< as blowing now (mean, mid-ramp values included)
+  std::vector<BodyState> bodies;
+};
+
+}  // namespace pelagos
