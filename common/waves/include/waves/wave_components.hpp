@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace pelagos {
@@ -15,5 +16,30 @@ struct WaveComponent {
   float direction = 0;   ///< rad, anticlockwise from east (x), the way the crests move
   float phase = 0;       ///< rad
 };
+
+/// The surface z = elevation(x, y, t) of linear theory at one point.
+struct WaveSurface {
+  double elevation = 0.0;                           ///< m above the mean level
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();  ///< d elevation / dx, d elevation / dy
+  double rate = 0.0;                                ///< d elevation / dt, m/s
+};
+
+/// Elevation above the mean level, m, at world position (x, y) in m and simulation time t in s.
+[[nodiscard]] double wave_elevation(std::span<const WaveComponent> components, double x, double y, double t);
+
+/// Elevation with its slopes and rate.
+[[nodiscard]] WaveSurface wave_surface(std::span<const WaveComponent> components, double x, double y, double t);
+
+/// Displacement of the surface particle whose place at rest is (x, y): crests sharpen, troughs flatten.
+///   horizontal: -sum a k^ sin(theta) ;  vertical: sum (a cos(theta) + k a^2 / 2) ;  theta = k . x - omega t + phase
+/// The Lagrangian first-order solution; the last term keeps the mean level of the displaced surface at zero.
+[[nodiscard]] Eigen::Vector3d wave_displacement(std::span<const WaveComponent> components, double x, double y,
+                                                double t);
+
+/// phase - omega t in [0, 2 pi): what a shader in single precision should be handed, so that long runs stay exact.
+[[nodiscard]] double wave_phase_at(const WaveComponent& component, double t);
+
+/// Mean of elevation^2, m^2: sum a^2 / 2. The significant wave height is 4 sqrt(variance).
+[[nodiscard]] double wave_variance(std::span<const WaveComponent> components);
 
 }  // namespace pelagos
