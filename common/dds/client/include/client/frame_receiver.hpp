@@ -1,0 +1,83 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "packing/surface_particle.hpp"
+#include "pelagos_dds/configuration.hpp"
+#include "values/body.hpp"
+#include "values/command.hpp"
+#include "values/scene_info.hpp"
+#include "values/status.hpp"
+#include "values/wind.hpp"
+
+namespace pelagos {
+
+/// A frame as a viewer draws it: the water and the bodies of one instant. World frame ENU, body axes x forward, y port,
+/// z up.
+struct OceanFrame {
+  std::uint64_t source = 0;                          ///< which run of which server
+  std::uint64_t frame = 0;                           ///< 0, 1, ...; gaps are frames that never came
+  double simulation_time = 0.0;                      ///< s
+  std::int64_t wall_time_ns = 0;                     ///< system clock of the server, when the frame was completed
+  std::chrono::steady_clock::time_point received{};  ///< here
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world; particles and box are relative to it
+  Box box;                                           ///< m, tight around the particles, relative to `origin`
+  double largest_speed = 0.0;                        ///< m/s, of the particles
+  std::uint32_t total_particles = 0;  ///< in the simulation; the difference to particles.size() was left out
+  std::vector<SurfaceParticle> particles;
+  std::vector<BodyState> bodies;
+};
+
+/// What happened to frames since the start.
+struct ReceiverCounters {
+  std::uint64_t received = 0;  ///< valid frames
+  std::uint64_t missed = 0;    ///< gaps in the frame numbers
+  std::uint64_t replaced = 0;  ///< received, but a newer one came before take_newest()
+  std::uint64_t refused = 0;   ///< wrong payload size, numbers not finite or out of range
+  std::uint64_t foreign = 0;   ///< from a second server while the first one lives
+};
+
+/// Listens to one server. A thread of its own takes the samples, checks and decodes them; all calls here are quick and
+/// may come from any thread. It follows the first server that it hears, and goes over to another one when frames of
+/// the first have stopped for 2 s.
+class FrameReceiver {
+ public:
+  /// Joins the domain. Throws DdsError.
+  explicit FrameReceiver(const DdsSettings& settings);
+  ~FrameReceiver();
+  FrameReceiver(const FrameReceiver&) = delete;
+  FrameReceiver& operator=(const FrameReceiver&) = delete;
+
+  /// The newest frame not yet taken; null if there is none. The caller owns it; keep as many as needed (two to
+  /// interpolate) and give them back for reuse.
+  [[nodiscard]] std::unique_ptr<OceanFrame> take_newest();
+  /// Gives a frame's memory back. Null is allowed.
+  void recycle(std::unique_ptr<OceanFrame> frame);
+  /// Waits until take_newest() has something. False after `timeout`.
+  [[nodiscard]] bool wait_for_frame(std::chrono::milliseconds timeout) const;
+
+  /// Of the server that is followed; empty until it has come (a late viewer gets it within a second or so).
+  [[nodiscard]] std::optional<SceneInfo> scene_info() const;
+  /// Goes up by one with each scene_info that comes: when to look again.
+  [[nodiscard]] std::uint64_t scene_revision() const;
+  [[nodiscard]] std::optional<ServerStatus> status() const;
+  /// The wind that blows; empty if none does or nothing is known yet.
+  [[nodiscard]] std::optional<WindSettings> wind() const;
+  /// Events since the last call, oldest first; at most 256 are kept.
+  [[nodiscard]] std::vector<Event> take_events();
+
+  /// A server lives, by the liveliness of its scene_info (lease 1 s).
+  [[nodiscard]] bool server_alive() const;
+  [[nodiscard]] ReceiverCounters counters() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace pelagos

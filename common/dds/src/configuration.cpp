@@ -1,0 +1,47 @@
+#include "pelagos_dds/configuration.hpp"
+
+#include <cstdlib>
+#include <fstream>
+
+namespace pelagos {
+
+std::string_view loopback_configuration() {
+  return R"(<CycloneDDS><Domain Id="any">
+ <General>
+  <Interfaces><NetworkInterface name="lo" multicast="false"/></Interfaces><AllowMulticast>false</AllowMulticast>
+  <MaxMessageSize>65500B</MaxMessageSize><FragmentSize>60000B</FragmentSize>
+ </General>
+ <Discovery>
+  <ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>40</MaxAutoParticipantIndex>
+  <Peers><Peer Address="127.0.0.1"/></Peers>
+ </Discovery>
+ <Internal><SocketReceiveBufferSize min="default" max="8MB"/></Internal>
+</Domain></CycloneDDS>)";
+}
+
+std::string resolve_configuration(const DdsSettings& settings) {
+  constexpr std::uint32_t kLargestDomain = 230;  // the ports of 231 and above exceed 65535
+  if (settings.domain > kLargestDomain) {
+    throw DdsError("domain " + std::to_string(settings.domain) + " is out of range; allowed: 0 to 230");
+  }
+  if (!settings.config_file.empty()) {
+    std::ifstream file(settings.config_file);
+    if (!file || file.peek() == std::ifstream::traits_type::eof()) {
+      throw DdsError("cannot read the DDS configuration file '" + settings.config_file + "', or it is empty");
+    }
+    return "file://" + settings.config_file;
+  }
+  if (const char* uri = std::getenv("CYCLONEDDS_URI"); uri != nullptr && *uri != '\0') return uri;
+  return std::string(loopback_configuration());
+}
+
+std::optional<std::string> check_receive_buffer(const std::string& limit_file) {
+  std::ifstream file(limit_file);
+  long limit = 0;
+  if (!(file >> limit) || limit >= kWantedReceiveBuffer) return std::nullopt;
+  return "net.core.rmem_max is " + std::to_string(limit) + " bytes; whole frames may be lost below " +
+         std::to_string(kWantedReceiveBuffer) +
+         ". As root: sysctl -w net.core.rmem_max=8388608 (to keep it: /etc/sysctl.d/60-pelagos.conf)";
+}
+
+}  // namespace pelagos

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "packing/particle_codec.hpp"
+#include "pelagos.h"
+#include "values/body.hpp"
+#include "values/command.hpp"
+#include "values/scene_info.hpp"
+#include "values/snapshot.hpp"
+#include "values/status.hpp"
+#include "values/wind.hpp"
+
+// Values <-> generated types: the one place where world frames and body axes of the wire meet those of the server
+// (ENU; body x forward, y port, z up). Implementation files only.
+//
+// A ..Sample holds a generated struct whose strings and sequences point into the sample's own storage or into the value
+// that it was made from, which must outlive it. Never freed by the DDS library.
+
+namespace pelagos::wire {
+
+[[nodiscard]] pelagos_BodyStateV1 to_wire(const BodyState& state, pelagos_WorldFrame frame);
+[[nodiscard]] BodyState from_wire(const pelagos_BodyStateV1& state);
+
+[[nodiscard]] pelagos_PoseV1 to_wire(const BodyPose& pose, std::uint32_t sender, pelagos_WorldFrame frame);
+/// Does not validate: see PoseReceiver. An angular rate or velocity that is not finite stays so.
+[[nodiscard]] BodyPose from_wire(const pelagos_PoseV1& pose);
+
+[[nodiscard]] pelagos_WindSettingsV1 to_wire(const std::optional<WindSettings>& wind);
+[[nodiscard]] WindSettings from_wire(const pelagos_WindSettingsV1& wind);
+
+[[nodiscard]] pelagos_EventV1 to_wire(const Event& event, std::uint64_t source);
+[[nodiscard]] Event from_wire(const pelagos_EventV1& event);
+
+class SceneInfoSample {
+ public:
+  SceneInfoSample(const SceneInfo& info, std::uint64_t source);
+  [[nodiscard]] const pelagos_SceneInfoV1& get() const { return sample_; }
+
+ private:
+  std::vector<pelagos_WaveComponentV1> waves_;
+  std::vector<pelagos_BodyInfoV1> bodies_;
+  pelagos_SceneInfoV1 sample_{};
+};
+[[nodiscard]] SceneInfo from_wire(const pelagos_SceneInfoV1& info);
+
+class StatusSample {
+ public:
+  StatusSample(const ServerStatus& status, std::uint64_t source, pelagos_WorldFrame bodies_frame);
+  [[nodiscard]] const pelagos_StatusV1& get() const { return sample_; }
+
+ private:
+  std::vector<pelagos_BodyStateV1> bodies_;
+  pelagos_StatusV1 sample_{};
+};
+[[nodiscard]] ServerStatus from_wire(const pelagos_StatusV1& status);
+
+/// Reused from frame to frame, so that its buffers are.
+class OceanFrameSample {
+ public:
+  /// Packs. Returns the particles that were refused.
+  std::uint32_t fill(const Snapshot& snapshot, double particle_spacing, std::uint64_t source,
+                     pelagos_WorldFrame bodies_frame);
+  [[nodiscard]] const pelagos_OceanFrameV1& get() const { return sample_; }
+
+ private:
+  std::vector<std::uint8_t> payload_;
+  std::vector<pelagos_BodyStateV1> bodies_;
+  pelagos_OceanFrameV1 sample_{};
+};
+
+/// Why a frame is refused, or null if everything in it is plausible and the payload holds `count` whole records.
+[[nodiscard]] const char* find_fault(const pelagos_OceanFrameV1& frame);
+[[nodiscard]] PackingScales scales_of(const pelagos_OceanFrameV1& frame);
+
+[[nodiscard]] inline Eigen::Vector3d from_wire(const pelagos_Vector3& v) { return {v.x, v.y, v.z}; }
+[[nodiscard]] inline pelagos_Vector3 to_wire(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+}  // namespace pelagos::wire

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "pelagos_dds/entities.hpp"
+
+// The table of topics: idl/pelagos.idl explains each. Implementation files only.
+
+namespace pelagos::topics {
+
+[[nodiscard]] TopicSpec ocean_frame();
+[[nodiscard]] TopicSpec scene_info();
+[[nodiscard]] TopicSpec status();
+[[nodiscard]] TopicSpec wind();
+[[nodiscard]] TopicSpec event();
+[[nodiscard]] TopicSpec own_ship_pose();
+[[nodiscard]] TopicSpec body_pose();
+
+}  // namespace pelagos::topics

@@ -1,0 +1,317 @@
+#include "wire/convert.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pelagos_dds/frames.hpp"
+
+namespace pelagos::wire {
+namespace {
+
+/// Position, orientation, velocity in world axes and the angular rate in body axes, as the wire has them.
+struct Motion {
+  Eigen::Vector3d position;
+  Eigen::Quaterniond orientation;
+  Eigen::Vector3d velocity;
+  Eigen::Vector3d rate_body;
+};
+
+/// The other frame's numbers for the same motion.
+Motion swap_frame(const Motion& motion) {
+  return {swap_enu_ned(motion.position), swap_enu_ned(motion.orientation), swap_enu_ned(motion.velocity),
+          swap_port_starboard(motion.rate_body)};
+}
+
+template <class Wire>
+Motion read_motion(const Wire& wire) {
+  const Motion motion{from_wire(wire.position),
+                      {wire.orientation.w, wire.orientation.x, wire.orientation.y, wire.orientation.z},
+                      from_wire(wire.velocity),
+                      from_wire(wire.angular_rate_body)};
+  return wire.frame == pelagos_FRAME_NED ? swap_frame(motion) : motion;
+}
+
+template <class Wire, class Value>
+void write_motion(const Value& value, pelagos_WorldFrame frame, Wire& wire) {
+  Motion motion{value.position, value.orientation, value.velocity,
+                value.orientation.conjugate() * value.angular_velocity};
+  if (frame == pelagos_FRAME_NED) motion = swap_frame(motion);
+  wire.frame = frame;
+  wire.position = to_wire(motion.position);
+  const Eigen::Quaterniond& q = motion.orientation;
+  wire.orientation = {q.x(), q.y(), q.z(), q.w()};
+  wire.velocity = to_wire(motion.velocity);
+  wire.angular_rate_body = to_wire(motion.rate_body);
+}
+
+template <class Value, class Wire>
+void assign_motion(const Wire& wire, Value& value) {
+  const Motion motion = read_motion(wire);
+  value.position = motion.position;
+  value.orientation = motion.orientation;
+  value.velocity = motion.velocity;
+  value.angular_velocity = motion.orientation * motion.rate_body;
+}
+
+// The generated types are C: strings and buffers are not const there, but a writer only reads them.
+char* c_string(const std::string& text) { return const_cast<char*>(text.c_str()); }
+std::string to_string(const char* text) { return text != nullptr ? std::string(text) : std::string(); }
+
+template <class Sequence, class Item>
+void lend(std::vector<Item>& items, Sequence& sequence) {
+  sequence._maximum = sequence._length = static_cast<std::uint32_t>(items.size());
+  sequence._buffer = items.data();
+  sequence._release = false;
+}
+
+std::vector<pelagos_BodyStateV1> bodies_to_wire(const std::vector<BodyState>& bodies, pelagos_WorldFrame frame) {
+  std::vector<pelagos_BodyStateV1> result;
+  result.reserve(bodies.size());
+  for (const BodyState& body : bodies) result.push_back(to_wire(body, frame));
+  return result;
+}
+
+bool is_finite(const pelagos_Vector3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+bool is_plausible(const pelagos_BodyStateV1& body) {
+  const pelagos_Quaternion& q = body.orientation;
+  const double squared = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  return is_finite(body.position) && is_finite(body.velocity) && is_finite(body.angular_rate_body) && squared > 0.98 &&
+         squared < 1.02 && std::isfinite(body.pose_age);
+}
+
+}  // namespace
+
+pelagos_BodyStateV1 to_wire(const BodyState& state, pelagos_WorldFrame frame) {
+  pelagos_BodyStateV1 wire{};
+  wire.body = state.body;
+  write_motion(state, frame, wire);
+  wire.health = static_cast<pelagos_PoseHealth>(state.health);
+  wire.pose_age = state.pose_age;
+  return wire;
+}
+
+BodyState from_wire(const pelagos_BodyStateV1& wire) {
+  BodyState state;
+  state.body = wire.body;
+  assign_motion(wire, state);
+  state.health = static_cast<PoseHealth>(wire.health);
+  state.pose_age = wire.pose_age;
+  return state;
+}
+
+pelagos_PoseV1 to_wire(const BodyPose& pose, std::uint32_t sender, pelagos_WorldFrame frame) {
+  pelagos_PoseV1 wire{};
+  wire.body = pose.body;
+  wire.sender = sender;
+  wire.time = pose.time;
+  write_motion(pose, frame, wire);
+  return wire;
+}
+
+BodyPose from_wire(const pelagos_PoseV1& wire) {
+  BodyPose pose;
+  pose.body = wire.body;
+  pose.time = wire.time;
+  assign_motion(wire, pose);
+  return pose;
+}
+
+pelagos_WindSettingsV1 to_wire(const std::optional<WindSettings>& wind) {
+  pelagos_WindSettingsV1 wire{};
+  if (!wind) return wire;
+  wire.velocity_to = to_wire(wind->velocity);
+  wire.wind_speed = wind->velocity.head<2>().norm();
+  wire.wind_from_deg = wind_from_deg(wind->velocity);
+  wire.amplitude = wind->amplitude;
+  wire.length = wind->length;
+  wire.beta = wind->beta;
+  wire.has_pulse = wind->pulse.has_value();
+  if (wind->pulse) {
+    wire.pulse_period = wind->pulse->period;
+    wire.pulse_width = wind->pulse->width;
+  }
+  return wire;
+}
+
+WindSettings from_wire(const pelagos_WindSettingsV1& wire) {
+  WindSettings wind;
+  wind.velocity = from_wire(wire.velocity_to);
+  wind.amplitude = wire.amplitude;
+  wind.length = wire.length;
+  wind.beta = wire.beta;
+  if (wire.has_pulse) wind.pulse = WindPulse{wire.pulse_period, wire.pulse_width};
+  return wind;
+}
+
+pelagos_EventV1 to_wire(const Event& event, std::uint64_t source) {
+  pelagos_EventV1 wire{};
+  wire.source = source;
+  wire.sequence_number = event.sequence;
+  wire.step = event.step;
+  wire.simulation_time = event.simulation_time;
+  wire.kind = c_string(event.kind);
+  wire.caused_by = c_string(event.source);
+  wire.text = c_string(event.text);
+  return wire;
+}
+
+Event from_wire(const pelagos_EventV1& wire) {
+  Event event;
+  event.sequence = wire.sequence_number;
+  event.step = wire.step;
+  event.simulation_time = wire.simulation_time;
+  event.kind = to_string(wire.kind);
+  event.source = to_string(wire.caused_by);
+  event.text = to_string(wire.text);
+  return event;
+}
+
+SceneInfoSample::SceneInfoSample(const SceneInfo& info, std::uint64_t source) {
+  for (const WaveComponent& wave : info.far_sea) {
+    waves_.push_back({wave.amplitude, wave.wavenumber, wave.omega, wave.direction, wave.phase});
+  }
+  for (const BodyInfo& body : info.bodies) {
+    bodies_.push_back({body.id, c_string(body.name), c_string(body.mesh_file), body.mesh_scale});
+  }
+  sample_.source = source;
+  sample_.scene = c_string(info.scene);
+  sample_.build = c_string(info.build);
+  sample_.seed = info.seed;
+  sample_.frame_interval = info.frame_interval;
+  sample_.particle_spacing = info.particle_spacing;
+  sample_.water_level = info.water_level;
+  sample_.tank_min = to_wire(info.tank.min);
+  sample_.tank_max = to_wire(info.tank.max);
+  sample_.tank_walls_visible = info.tank_walls_visible;
+  sample_.origin_latitude_deg = info.origin.latitude_deg;
+  sample_.origin_longitude_deg = info.origin.longitude_deg;
+  sample_.origin_height = info.origin.height;
+  lend(waves_, sample_.far_sea);
+  lend(bodies_, sample_.bodies);
+}
+
+SceneInfo from_wire(const pelagos_SceneInfoV1& wire) {
+  SceneInfo info;
+  info.scene = to_string(wire.scene);
+  info.build = to_string(wire.build);
+  info.seed = wire.seed;
+  info.frame_interval = wire.frame_interval;
+  info.particle_spacing = wire.particle_spacing;
+  info.water_level = wire.water_level;
+  info.tank = {from_wire(wire.tank_min), from_wire(wire.tank_max)};
+  info.tank_walls_visible = wire.tank_walls_visible;
+  info.origin = {wire.origin_latitude_deg, wire.origin_longitude_deg, wire.origin_height};
+  for (std::uint32_t i = 0; i < wire.far_sea._length; ++i) {
+    const pelagos_WaveComponentV1& wave = wire.far_sea._buffer[i];
+    info.far_sea.push_back({wave.amplitude, wave.wavenumber, wave.omega, wave.direction, wave.phase});
+  }
+  for (std::uint32_t i = 0; i < wire.bodies._length; ++i) {
+    const pelagos_BodyInfoV1& body = wire.bodies._buffer[i];
+    info.bodies.push_back({body.id, to_string(body.name), to_string(body.mesh_file), body.mesh_scale});
+  }
+  return info;
+}
+
+StatusSample::StatusSample(const ServerStatus& status, std::uint64_t source, pelagos_WorldFrame bodies_frame)
+    : bodies_(bodies_to_wire(status.bodies, bodies_frame)) {
+  sample_.source = source;
+  sample_.scene = c_string(status.scene);
+  sample_.step = status.step;
+  sample_.frame = status.frame;
+  sample_.simulation_time = status.simulation_time;
+  sample_.paused = status.paused;
+  sample_.real_time_factor = status.real_time_factor;
+  sample_.achievable_real_time_factor = status.achievable_real_time_factor;
+  sample_.step_ms = status.step_ms;
+  sample_.time_step = status.time_step;
+  sample_.particles = status.particles;
+  sample_.boundary_particles = status.boundary_particles;
+  sample_.published_particles = status.published_particles;
+  sample_.density_error = status.density_error;
+  sample_.largest_density = status.largest_density;
+  sample_.density_iterations = status.density_iterations;
+  sample_.divergence_iterations = status.divergence_iterations;
+  sample_.kinetic_energy = status.kinetic_energy;
+  sample_.largest_speed = status.largest_speed;
+  sample_.frames_published = status.frames_published;
+  sample_.frames_dropped = status.frames_dropped;
+  sample_.poses_accepted = status.poses_accepted;
+  sample_.poses_refused = status.poses_refused;
+  sample_.has_wind = status.wind.has_value();
+  sample_.wind = to_wire(status.wind);
+  lend(bodies_, sample_.bodies);
+}
+
+ServerStatus from_wire(const pelagos_StatusV1& wire) {
+  ServerStatus status;
+  status.scene = to_string(wire.scene);
+  status.step = wire.step;
+  status.frame = wire.frame;
+  status.simulation_time = wire.simulation_time;
+  status.paused = wire.paused;
+  status.real_time_factor = wire.real_time_factor;
+  status.achievable_real_time_factor = wire.achievable_real_time_factor;
+  status.step_ms = wire.step_ms;
+  status.time_step = wire.time_step;
+  status.particles = wire.particles;
+  status.boundary_particles = wire.boundary_particles;
+  status.published_particles = wire.published_particles;
+  status.density_error = wire.density_error;
+  status.largest_density = wire.largest_density;
+  status.density_iterations = wire.density_iterations;
+  status.divergence_iterations = wire.divergence_iterations;
+  status.kinetic_energy = wire.kinetic_energy;
+  status.largest_speed = wire.largest_speed;
+  status.frames_published = wire.frames_published;
+  status.frames_dropped = wire.frames_dropped;
+  status.poses_accepted = wire.poses_accepted;
+  status.poses_refused = wire.poses_refused;
+  if (wire.has_wind) status.wind = from_wire(wire.wind);
+  for (std::uint32_t i = 0; i < wire.bodies._length; ++i) status.bodies.push_back(from_wire(wire.bodies._buffer[i]));
+  return status;
+}
+
+std::uint32_t OceanFrameSample::fill(const Snapshot& snapshot, double particle_spacing, std::uint64_t source,
+                                     pelagos_WorldFrame bodies_frame) {
+  const PackReport report = pack_particles(snapshot.particles, static_cast<float>(particle_spacing), payload_);
+  bodies_ = bodies_to_wire(snapshot.bodies, bodies_frame);
+  const Eigen::Vector3f& low = report.scales.box_min;
+  const Eigen::Vector3f& size = report.scales.box_size;
+  sample_.source = source;
+  sample_.frame = snapshot.frame;
+  sample_.simulation_time = snapshot.simulation_time;
+  sample_.wall_time_ns = snapshot.wall_time_ns;
+  sample_.origin = to_wire(snapshot.origin);
+  sample_.box_min = {low.x(), low.y(), low.z()};
+  sample_.box_size = {size.x(), size.y(), size.z()};
+  sample_.largest_speed = report.scales.largest_speed;
+  sample_.particle_spacing = report.scales.particle_spacing;
+  sample_.total_particles = snapshot.total_particles;
+  sample_.count = report.packed;
+  sample_.record_bytes = kRecordBytes;
+  lend(bodies_, sample_.bodies);
+  lend(payload_, sample_.payload);
+  return report.refused;
+}
+
+PackingScales scales_of(const pelagos_OceanFrameV1& frame) {
+  PackingScales scales;
+  scales.box_min = {frame.box_min.x, frame.box_min.y, frame.box_min.z};
+  scales.box_size = {frame.box_size.x, frame.box_size.y, frame.box_size.z};
+  scales.largest_speed = frame.largest_speed;
+  scales.particle_spacing = frame.particle_spacing;
+  return scales;
+}
+
+const char* find_fault(const pelagos_OceanFrameV1& frame) {
+  if (frame.record_bytes != kRecordBytes) return "record_bytes is not 20";
+  if (frame.payload._length != std::uint64_t{frame.count} * kRecordBytes) return "payload is not count * 20 octets";
+  if (!is_finite(frame.origin) || !std::isfinite(frame.simulation_time)) return "origin or time is not finite";
+  if (!are_plausible(scales_of(frame))) return "box, largest_speed or particle_spacing is out of range";
+  const auto* first = frame.bodies._buffer;
+  if (!std::all_of(first, first + frame.bodies._length, is_plausible)) return "a body's state is not finite";
+  return nullptr;
+}
+
+}  // namespace pelagos::wire
