@@ -14,7 +14,7 @@ namespace pelagos {
 // Largest errors, for what lies inside the ranges:
 //   position     box_size / 131070 for each axis (and the rounding of float32)
 //   orientation  0.0048 rad;  the sign of the quaternion is not kept
-//   semi-axes    1.1 %, between 1/16 and 15.67 particle spacings; beyond they are clamped
+//   semi-axes    1.1 %, between 1/16 and 15.65 particle spacings; beyond they are clamped
 //   velocity     largest_speed / 1022 for each axis
 //   phase, foam, spray exact
 
