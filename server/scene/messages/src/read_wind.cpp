@@ -1,0 +1,77 @@
+#include "messages/read_wind.hpp"
+
+#include "values/beaufort.hpp"
+
+namespace pelagos {
+namespace {
+
+constexpr double kLargestSpeed = 75.0;  // m/s; the strongest sustained winds measured at sea stay below 100 m/s
+
+/// Mean wind out of speed, beaufort, velocity and from_deg.
+void read_mean(const FieldReader& reader, const std::optional<WindSettings>& present, Eigen::Vector3d& velocity) {
+  const bool speed_given = reader.has("speed");
+  const bool beaufort_given = reader.has("beaufort");
+  const bool velocity_given = reader.has("velocity");
+  const int ways = (speed_given ? 1 : 0) + (beaufort_given ? 1 : 0) + (velocity_given ? 1 : 0);
+  if (ways > 1) {
+    reader.fault("", "gives the mean wind in more than one way; allowed: exactly one of speed, beaufort, velocity");
+    return;
+  }
+  if (ways == 0 && !present) {
+    reader.fault("",
+                 "gives no mean wind; allowed: exactly one of speed (with from_deg), beaufort (with from_deg), "
+                 "velocity");
+    return;
+  }
+  if (velocity_given) {
+    if (reader.has("from_deg")) reader.fault("from_deg", "says the direction twice: velocity has it already");
+    Eigen::Vector3d given;
+    if (!reader.read("velocity", {-kLargestSpeed, kLargestSpeed, "m/s"}, given)) return;
+    if (given.norm() > kLargestSpeed) {
+      reader.fault("velocity", "is " + format_number(given.norm()) + " m/s long; allowed: 0 to 75 m/s");
+      return;
+    }
+    velocity = given;
+    return;
+  }
+
+  const bool has_direction = present && present->velocity.head<2>().norm() > 0.0;
+  double speed = present ? present->velocity.head<2>().norm() : 0.0;
+  double from_deg = has_direction ? wind_from_deg(present->velocity) : 0.0;
+  int beaufort = 0;
+  reader.read("speed", {0.0, kLargestSpeed, "m/s"}, speed);
+  if (reader.read("beaufort", {0, 12, "Beaufort"}, beaufort)) speed = beaufort_speed(beaufort);
+  reader.read("from_deg", {0.0, 360.0, "degrees clockwise from north, where the wind blows from"}, from_deg);
+  if (!reader.has("from_deg") && !has_direction && speed > 0.0) {
+    reader.fault("from_deg", "is missing; needed with speed or beaufort: 0 to 360 degrees, where the wind blows from");
+  }
+  const bool unchanged = ways == 0 && !reader.has("from_deg");
+  if (!unchanged) velocity = wind_velocity(speed, from_deg);
+}
+
+WindPulse read_pulse(const FieldReader& reader) {
+  WindPulse pulse;
+  reader.require("period");
+  reader.require("width");
+  const bool period_valid = reader.read("period", {0.01, 3600.0, "s"}, pulse.period);
+  const bool width_valid = reader.read("width", {0.001, 3600.0, "s"}, pulse.width);
+  if (period_valid && width_valid && pulse.width > pulse.period) {
+    reader.fault("width", format_number(pulse.width) + " s is longer than the period; allowed: above 0, at most " +
+                              format_number(pulse.period) + " s (leave the pulse out for a wind that never stops)");
+  }
+  return pulse;
+}
+
+}  // namespace
+
+WindSettings read_wind(const FieldReader& reader, const std::optional<WindSettings>& present) {
+  WindSettings wind = present.value_or(WindSettings{});
+  read_mean(reader, present, wind.velocity);
+  reader.read("amplitude", {0.0, 30.0, "m/s"}, wind.amplitude);
+  reader.read("length", {0.01, 10000.0, "m"}, wind.length);
+  reader.read("beta", {0.0, 100.0, "", "the paper uses 1.5"}, wind.beta);
+  if (reader.has("pulse")) wind.pulse = read_pulse(reader.child("pulse"));
+  return wind;
+}
+
+}  // namespace pelagos

@@ -1,0 +1,188 @@
+#include "parse_text.hpp"
+
+#include <google/protobuf/io/tokenizer.h>
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
+
+#include <map>
+
+namespace pelagos {
+namespace {
+
+using google::protobuf::Descriptor;
+using google::protobuf::FieldDescriptor;
+using google::protobuf::io::ArrayInputStream;
+using google::protobuf::io::Tokenizer;
+
+constexpr int kDeepestNesting = 16;  // a scene needs 5; bounds the parser's recursion
+
+/// Keeps the first error, and the place of every field that the schema does not know.
+class Collector : public google::protobuf::io::ErrorCollector {
+ public:
+  struct Place {
+    int line;
+    int column;
+    bool operator<(const Place& other) const { return line != other.line ? line < other.line : column < other.column; }
+  };
+  void AddError(int line, google::protobuf::io::ColumnNumber column, const std::string& message) override {
+    if (!error) error = FieldFault{line + 1, column + 1, "", message};
+  }
+  /// The parser warns of an unknown field at the token that follows the field's name, quoting the name last.
+  void AddWarning(int line, google::protobuf::io::ColumnNumber column, const std::string& message) override {
+    const std::size_t last = message.rfind('"');
+    const std::size_t first = last == std::string::npos || last == 0 ? std::string::npos : message.rfind('"', last - 1);
+    if (first != std::string::npos) unknown[{line, column}] = message.substr(first + 1, last - first - 1);
+  }
+  std::optional<FieldFault> error;
+  std::map<Place, std::string> unknown;
+};
+
+class IgnoreErrors : public google::protobuf::io::ErrorCollector {
+ public:
+  void AddError(int, google::protobuf::io::ColumnNumber, const std::string&) override {}
+};
+
+/// Walks the tokens of a text once, keeping track of which message each stands in.
+class NestingScan {
+ public:
+  NestingScan(std::string_view text)
+      : stream_(text.data(), static_cast<int>(text.size())), tokenizer_(&stream_, &ignore_) {
+    tokenizer_.set_comment_style(Tokenizer::SH_COMMENT_STYLE);
+    tokenizer_.set_allow_f_after_float(true);
+    tokenizer_.set_require_space_after_number(false);
+    levels_.push_back({"", proto::v1::Scene::descriptor(), {}, ""});
+  }
+
+  bool next() { return tokenizer_.Next(); }
+  [[nodiscard]] const Tokenizer::Token& token() { return tokenizer_.current(); }
+  [[nodiscard]] std::size_t depth() const { return levels_.size() + static_cast<std::size_t>(open_lists_); }
+  [[nodiscard]] const std::string& path() const { return levels_.back().path; }
+  [[nodiscard]] const Descriptor* message() const { return levels_.back().message; }
+
+  /// Steps into or out of a message at the present token.
+  void follow() {
+    const std::string& text = token().text;
+    if (token().type == Tokenizer::TYPE_IDENTIFIER) {
+      name_ = text;
+    } else if (text == "[") {
+      levels_.back().list = name_;
+      ++open_lists_;
+    } else if (text == "]") {
+      levels_.back().list.clear();
+      if (open_lists_ > 0) --open_lists_;
+    } else if (text == "{" || text == "<") {
+      enter(levels_.back().list.empty() ? name_ : levels_.back().list);
+    } else if ((text == "}" || text == ">") && levels_.size() > 1) {
+      levels_.pop_back();
+    }
+  }
+
+ private:
+  struct Level {
+    std::string path;
+    const Descriptor* message;         // nullptr inside an unknown field
+    std::map<std::string, int> count;  // entries of each repeated field so far
+    std::string list;                  // name of the field whose [ ] is open
+  };
+
+  void enter(const std::string& name) {
+    Level& here = levels_.back();
+    const FieldDescriptor* field = here.message == nullptr ? nullptr : here.message->FindFieldByName(name);
+    std::string path = here.path.empty() ? name : here.path + "." + name;
+    if (field != nullptr && field->is_repeated()) path += "[" + std::to_string(here.count[name]++) + "]";
+    const Descriptor* inner = field == nullptr ? nullptr : field->message_type();
+    levels_.push_back({std::move(path), inner, {}, ""});
+  }
+
+  IgnoreErrors ignore_;
+  ArrayInputStream stream_;
+  Tokenizer tokenizer_;
+  std::vector<Level> levels_;
+  std::string name_;
+  int open_lists_ = 0;
+};
+
+std::optional<FieldFault> check_nesting(std::string_view text) {
+  NestingScan scan(text);
+  while (scan.next()) {
+    if (scan.depth() > kDeepestNesting) {
+      return FieldFault{scan.token().line + 1, scan.token().column + 1, "",
+                        "messages nested too deeply; allowed: " + std::to_string(kDeepestNesting) + " levels"};
+    }
+    scan.follow();
+  }
+  return std::nullopt;
+}
+
+std::string describe_unknown(const std::string& name, const Descriptor* message) {
+  std::vector<std::string> known;
+  std::string list;
+  for (int i = 0; message != nullptr && i < message->field_count(); ++i) {
+    known.push_back(message->field(i)->name());
+    list += (i == 0 ? "" : ", ") + message->field(i)->name();
+  }
+  const std::string nearest = nearest_name(name, known);
+  return nearest.empty() ? "unknown field; allowed here: " + list
+                         : "unknown field; did you mean \"" + nearest + "\"? allowed here: " + list;
+}
+
+FieldFaults place_unknown_fields(std::string_view text, const std::map<Collector::Place, std::string>& unknown) {
+  FieldFaults faults;
+  NestingScan scan(text);
+  bool more = true;
+  while (more) {
+    more = scan.next();  // the last token, at the end of the text, may follow a name too
+    const auto found = unknown.find({scan.token().line, scan.token().column});
+    if (found != unknown.end()) {
+      const std::string& name = found->second;
+      faults.push_back({scan.token().line + 1, 0, scan.path().empty() ? name : scan.path() + "." + name,
+                        describe_unknown(name, scan.message())});
+    }
+    if (more) scan.follow();
+  }
+  return faults;
+}
+
+/// The parser names the enum's field but not what it may hold.
+std::string explain(const std::string& message) {
+  if (message.rfind("Unknown enumeration value", 0) != 0) return message;
+  std::string known;
+  const auto* file = proto::v1::Scene::descriptor()->file();
+  const std::size_t last = message.rfind('"');
+  const std::size_t first = message.rfind('"', last - 1);
+  const std::string name = message.substr(first + 1, last - first - 1);
+  for (int m = 0; m < file->message_type_count(); ++m) {
+    const auto* field = file->message_type(m)->FindFieldByName(name);
+    if (field == nullptr || field->enum_type() == nullptr) continue;
+    for (int v = 1; v < field->enum_type()->value_count(); ++v) {
+      known += (known.empty() ? "" : ", ") + field->enum_type()->value(v)->name();
+    }
+  }
+  return known.empty() ? message : message + " Allowed: " + known + ".";
+}
+
+}  // namespace
+
+void parse_scene_text(std::string_view text, ParsedText& out) {
+  if (const auto too_deep = check_nesting(text)) {
+    out.readable = false;
+    out.faults = {*too_deep};
+    return;
+  }
+  Collector collector;
+  google::protobuf::TextFormat::Parser parser;
+  parser.RecordErrorsTo(&collector);
+  parser.WriteLocationsTo(&out.locations);
+  parser.AllowUnknownField(true);
+  parser.SetRecursionLimit(kDeepestNesting);
+  ArrayInputStream stream(text.data(), static_cast<int>(text.size()));
+  if (!parser.Parse(&stream, &out.message) || collector.error) {
+    out.readable = false;
+    FieldFault fault = collector.error.value_or(FieldFault{1, 1, "", "not a scene in Protobuf text format"});
+    fault.what = explain(fault.what);
+    out.faults = {fault};
+    return;
+  }
+  out.faults = place_unknown_fields(text, collector.unknown);
+}
+
+}  // namespace pelagos

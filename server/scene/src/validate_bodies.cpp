@@ -1,0 +1,125 @@
+#include <cmath>
+#include <map>
+
+#include "scene.pb.h"
+#include "validate_scene.hpp"
+
+namespace pelagos {
+namespace {
+
+constexpr double kRadians = 0.017453292519943295;
+constexpr std::size_t kMostBodies = 64;
+
+/// Body (x forward, y port, z up) to world (ENU) out of a ship's angles: heading clockwise from north, bow up positive,
+/// starboard down positive, in the ship's usual order (roll first, heading last).
+Eigen::Quaterniond orientation_of(double heading_deg, double pitch_deg, double roll_deg) {
+  using Eigen::AngleAxisd;
+  using Eigen::Vector3d;
+  return Eigen::Quaterniond(AngleAxisd((90.0 - heading_deg) * kRadians, Vector3d::UnitZ()) *
+                            AngleAxisd(-pitch_deg * kRadians, Vector3d::UnitY()) *
+                            AngleAxisd(roll_deg * kRadians, Vector3d::UnitX()));
+}
+
+Eigen::Quaterniond read_orientation(const FieldReader& reader) {
+  double heading_deg = 0.0;
+  double pitch_deg = 0.0;
+  double roll_deg = 0.0;
+  reader.read("heading_deg", {0.0, 360.0, "degrees clockwise from north"}, heading_deg);
+  reader.read("pitch_deg", {-90.0, 90.0, "degrees, bow up positive"}, pitch_deg);
+  reader.read("roll_deg", {-180.0, 180.0, "degrees, starboard down positive"}, roll_deg);
+  if (!reader.has("orientation")) return orientation_of(heading_deg, pitch_deg, roll_deg);
+
+  if (reader.has("heading_deg") || reader.has("pitch_deg") || reader.has("roll_deg")) {
+    reader.fault("orientation", "is given beside an angle; allowed: the quaternion or the angles, not both");
+  }
+  const FieldReader entry = reader.child("orientation");
+  Eigen::Vector4d wxyz = Eigen::Vector4d::Zero();
+  const std::array<const char*, 4> names{"w", "x", "y", "z"};
+  bool valid = true;
+  for (int i = 0; i < 4; ++i) {
+    const char* name = names[static_cast<std::size_t>(i)];
+    if (entry.has(name)) valid = entry.read(name, {-1.01, 1.01}, wxyz[i]) && valid;
+  }
+  if (!valid) return Eigen::Quaterniond::Identity();
+  if (std::fabs(wxyz.norm() - 1.0) > 0.01) {
+    reader.fault("orientation",
+                 "has length " + format_number(wxyz.norm()) + "; allowed: a unit quaternion, 0.99 to 1.01");
+    return Eigen::Quaterniond::Identity();
+  }
+  wxyz.normalize();
+  return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
+}
+
+/// The first of the folders that has the file.
+std::string find_mesh(const FieldReader& reader, const std::string& written, const SceneSource& source) {
+  namespace fs = std::filesystem;
+  if (!source.check_meshes) return written;
+  const fs::path file(written);
+  std::vector<fs::path> places;
+  if (file.is_absolute()) {
+    places.push_back(file);
+  } else {
+    for (const fs::path& folder : source.mesh_folders) places.push_back(folder / file);
+  }
+  std::string looked;
+  for (const fs::path& place : places) {
+    std::error_code error;
+    if (fs::is_regular_file(place, error)) return fs::absolute(place, error).lexically_normal().string();
+    looked += (looked.empty() ? "" : ", ") + place.lexically_normal().string();
+  }
+  reader.fault("mesh_file", "\"" + written + "\" is not there; looked for " + looked);
+  return written;
+}
+
+void read_place(const FieldReader& reader, const std::optional<Box>& tank, BodySettings& body) {
+  reader.require("position");
+  if (!reader.read("position", {-1e6, 1e6, "m"}, body.position) || !tank) return;
+  const bool inside =
+      (body.position.array() >= tank->min.array()).all() && (body.position.array() <= tank->max.array()).all();
+  if (!inside) {
+    reader.fault("position", "(" + format_number(body.position.x()) + ", " + format_number(body.position.y()) + ", " +
+                                 format_number(body.position.z()) + ") is outside the tank; allowed: within its walls");
+  }
+}
+
+BodySettings read_body(const FieldReader& reader, const std::optional<Box>& tank, const SceneSource& source) {
+  BodySettings body;
+  reader.require("id");
+  reader.read("id", {1.0, 4294967295.0}, body.id);
+  body.name = "body " + std::to_string(body.id);
+  reader.read("name", 64, body.name);
+  reader.require("mesh_file");
+  std::string written;
+  if (reader.read("mesh_file", 1024, written)) body.mesh_file = find_mesh(reader, written, source);
+  reader.read("mesh_scale", {0.001, 1000.0}, body.mesh_scale);
+  reader.read("sample_inset", {0.0, 1.0, "spacings"}, body.sample_inset);
+  if (reader.read_enum("drive") == proto::v1::Body::STATIC) body.drive = BodyDrive::kStatic;
+  read_place(reader, tank, body);
+  body.orientation = read_orientation(reader);
+  return body;
+}
+
+}  // namespace
+
+std::vector<BodySettings> validate_bodies(const FieldReader& scene_reader, const std::optional<Box>& tank,
+                                          const SceneSource& source) {
+  const std::vector<FieldReader> entries = scene_reader.children("body");
+  if (entries.size() > kMostBodies) {
+    scene_reader.fault("body", "has " + std::to_string(entries.size()) + " entries; allowed: at most 64");
+    return {};
+  }
+  std::vector<BodySettings> bodies;
+  std::map<std::uint32_t, std::size_t> first_with;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    bodies.push_back(read_body(entries[i], tank, source));
+    const std::uint32_t id = bodies.back().id;
+    const auto [found, fresh] = first_with.emplace(id, i);
+    if (id != 0 && !fresh) {
+      entries[i].fault("id", std::to_string(id) + " is taken by body[" + std::to_string(found->second) +
+                                 "]; allowed: an id of its own for each body, 1 or more");
+    }
+  }
+  return bodies;
+}
+
+}  // namespace pelagos

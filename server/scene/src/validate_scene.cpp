@@ -1,0 +1,263 @@
+#include "validate_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "messages/read_wind.hpp"
+#include "scene.pb.h"
+#include "values/lattice.hpp"
+
+namespace pelagos {
+namespace {
+
+constexpr double kMostParticles = 4e6;
+constexpr double kMostWallParticles = 4e6;
+constexpr double kMostCells = 64e6;  // of the neighbour search, 2 d a side
+constexpr std::size_t kMostBlocks = 64;
+constexpr double kFarthest = 1e6;  // m; coordinates beyond it lose a millimetre in single precision offsets
+
+/// What later checks need to know of earlier fields; empty where those were faulty.
+struct Basis {
+  std::optional<double> spacing;
+  std::optional<double> gravity;
+  std::optional<double> default_step;  ///< s, 0.07 sqrt(d/g)
+};
+
+std::string describe(const Eigen::Vector3d& v) {
+  return "(" + format_number(v.x()) + ", " + format_number(v.y()) + ", " + format_number(v.z()) + ")";
+}
+std::string describe(const Box& box) { return describe(box.min) + " to " + describe(box.max); }
+
+std::string read_name(const FieldReader& reader, const SceneSource& source) {
+  std::string name = source.default_name;
+  if (!reader.read("name", 64, name)) return name;
+  const auto allowed = [](unsigned char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+           c == '.';
+  };
+  if (!std::all_of(name.begin(), name.end(), allowed)) {
+    reader.fault("name", "\"" + name + "\" holds other characters than allowed: A-Z a-z 0-9 _ - .");
+  }
+  return name;
+}
+
+std::optional<Box> read_box(const FieldReader& reader) {
+  Box box;
+  const Range range{-kFarthest, kFarthest, "m"};
+  reader.require("min");
+  reader.require("max");
+  const bool min_valid = reader.read("min", range, box.min);
+  const bool max_valid = reader.read("max", range, box.max);
+  if (!min_valid || !max_valid) return std::nullopt;
+  if ((box.size().array() <= 0.0).any()) {
+    reader.fault("", "runs from min " + describe(box.min) + " to max " + describe(box.max) +
+                         "; allowed: min below max on each axis");
+    return std::nullopt;
+  }
+  return box;
+}
+
+Basis read_basis(const FieldReader& reader, Scene& scene) {
+  Basis basis;
+  reader.require("particle_spacing");
+  if (reader.read("particle_spacing", {0.001, 100.0, "m", "surface tension rules below, no picture is left above"},
+                  scene.particle_spacing)) {
+    basis.spacing = scene.particle_spacing;
+  }
+  const bool gravity_given = reader.has("gravity");
+  if (reader.read("gravity", {0.0, 100.0, "m/s^2"}, scene.gravity) || !gravity_given) basis.gravity = scene.gravity;
+  if (basis.spacing && basis.gravity && *basis.gravity > 0.0) {
+    basis.default_step = 0.07 * std::sqrt(*basis.spacing / *basis.gravity);
+  }
+  return basis;
+}
+
+std::optional<Box> read_tank(const FieldReader& reader, const Basis& basis) {
+  if (!reader.require("tank")) return std::nullopt;
+  const FieldReader tank_reader = reader.child("tank");
+  const std::optional<Box> tank = read_box(tank_reader);
+  if (!tank || !basis.spacing) return tank;
+  const Eigen::Vector3d sides = tank->size() / *basis.spacing;
+  if (sides.minCoeff() < 4.0 - 1e-6) {
+    tank_reader.fault("", "is " + format_number(tank->size().minCoeff()) + " m at its narrowest; allowed: at least " +
+                              format_number(4.0 * *basis.spacing) +
+                              " m (4 particle spacings: the support of a kernel)");
+  }
+  const double walls = 2.0 * (sides.x() * sides.y() + sides.y() * sides.z() + sides.z() * sides.x());
+  if (walls > kMostWallParticles) {
+    tank_reader.fault("", "needs about " + format_count(std::round(walls)) +
+                              " wall particles at this spacing; allowed: " + format_count(kMostWallParticles) +
+                              " (a larger particle_spacing or a smaller tank)");
+  }
+  const double cells = sides.prod() / 8.0;
+  if (cells > kMostCells) {
+    tank_reader.fault("", "needs about " + format_count(std::round(cells)) +
+                              " search cells at this spacing; allowed: " + format_count(kMostCells) +
+                              " (a larger particle_spacing or a smaller tank)");
+  }
+  return tank;
+}
+
+bool inside(const Box& inner, const Box& outer, double slack) {
+  return (inner.min.array() >= outer.min.array() - slack).all() &&
+         (inner.max.array() <= outer.max.array() + slack).all();
+}
+
+bool overlap(const Box& a, const Box& b, double slack) {
+  return (a.min.array() < b.max.array() - slack).all() && (b.min.array() < a.max.array() - slack).all();
+}
+
+void read_blocks(const FieldReader& water, const Basis& basis, const std::optional<Box>& tank, FluidSettings& fluid) {
+  if (!water.require("block")) return;
+  const std::vector<FieldReader> entries = water.children("block");
+  if (entries.size() > kMostBlocks) {
+    water.fault("block", "has " + format_count(static_cast<double>(entries.size())) + " entries; allowed: at most 64");
+    return;
+  }
+  const double slack = 1e-6 * basis.spacing.value_or(0.0);
+  std::vector<std::pair<std::size_t, Box>> placed;
+  double total = 0.0;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::optional<Box> block = read_box(entries[i]);
+    if (!block) continue;
+    if (tank && !inside(*block, *tank, slack)) {
+      entries[i].fault("", "lies at " + describe(*block) + "; allowed: inside the tank, " + describe(*tank));
+    }
+    if (basis.spacing) {
+      const double count = particle_count(*block, *basis.spacing);
+      if (count < 1.0) {
+        entries[i].fault("", "is too small for one particle: " + describe(block->size()) + " m; allowed: at least " +
+                                 format_number(2.0 * *basis.spacing) + " m (2 particle spacings) along each axis");
+      }
+      total += count;
+    }
+    for (const auto& [other, box] : placed) {
+      if (overlap(*block, box, slack)) {
+        entries[i].fault("", "overlaps water.block[" + std::to_string(other) + "], " + describe(box) +
+                                 "; allowed: blocks that touch at most");
+      }
+    }
+    placed.emplace_back(i, *block);
+    fluid.blocks.push_back(*block);
+  }
+  if (total > kMostParticles) {
+    water.fault("block", "asks for " + format_count(total) + " particles in all; allowed: at most " +
+                             format_count(kMostParticles) + " (a larger particle_spacing or smaller blocks)");
+  }
+}
+
+FluidSettings read_water(const FieldReader& reader, const Basis& basis, const std::optional<Box>& tank,
+                         double largest_step) {
+  FluidSettings fluid;
+  if (!reader.require("water")) return fluid;
+  const FieldReader water = reader.child("water");
+  water.read("rest_density", {500.0, 2000.0, "kg/m^3"}, fluid.rest_density);
+  double largest_viscosity = 1e4;
+  if (basis.spacing && largest_step > 0.0) largest_viscosity = 0.1 * *basis.spacing * *basis.spacing / largest_step;
+  water.read("kinematic_viscosity",
+             {0.0, largest_viscosity, "m^2/s", "0.1 d^2 / max_step: above it a step is unstable"},
+             fluid.kinematic_viscosity);
+  water.read("settle_steps", {0, 5000}, fluid.settle_steps);
+  read_blocks(water, basis, tank, fluid);
+  return fluid;
+}
+
+void read_constraint(const FieldReader& solver, const char* name, ConstraintSettings& settings) {
+  if (!solver.has(name)) return;
+  const FieldReader reader = solver.child(name);
+  reader.read("tolerance", {1e-6, 0.05, "", "a fraction of the rest density; single precision resolves no less"},
+              settings.tolerance);
+  const bool min_sound =
+      reader.read("min_iterations", {1, 1000}, settings.min_iterations) || !reader.has("min_iterations");
+  const bool max_sound =
+      reader.read("max_iterations", {1, 1000}, settings.max_iterations) || !reader.has("max_iterations");
+  if (min_sound && max_sound && settings.min_iterations > settings.max_iterations) {
+    reader.fault(reader.has("min_iterations") ? "min_iterations" : "max_iterations",
+                 "min_iterations " + std::to_string(settings.min_iterations) + " is above max_iterations " +
+                     std::to_string(settings.max_iterations) + "; allowed: at most max_iterations");
+  }
+}
+
+SolverSettings read_solver(const FieldReader& reader) {
+  SolverSettings solver;
+  if (!reader.has("solver")) return solver;
+  const FieldReader entry = reader.child("solver");
+  if (entry.read_enum("kind") == proto::v1::Solver::HYBRID) solver.kind = SolverKind::kHybrid;
+  if (entry.read_enum("method") == proto::v1::Solver::JACOBI) solver.method = PressureMethod::kJacobi;
+  read_constraint(entry, "density", solver.density);
+  read_constraint(entry, "divergence", solver.divergence);
+  return solver;
+}
+
+TimeStepSettings read_time_step(const FieldReader& reader, const Basis& basis) {
+  TimeStepSettings settings;
+  const FieldReader entry = reader.child("time_step");
+  entry.read("cfl", {0.05, 1.0}, settings.cfl);
+  const double largest = basis.default_step ? 2.0 * *basis.default_step : 10.0;
+  entry.read("max_step", {1e-6, largest, "s", "twice 0.07 sqrt(d/g), where solves begin to fail"}, settings.max_step);
+  if (basis.gravity && *basis.gravity == 0.0 && !entry.has("max_step")) {
+    reader.fault("gravity", "is 0, which leaves no time scale; needed then: time_step.max_step, above 0 to 10 s");
+  }
+  return settings;
+}
+
+void read_wind_of_scene(const FieldReader& reader, const Basis& basis, Scene& scene) {
+  if (!reader.has("wind")) return;
+  scene.wind = read_wind(reader.child("wind"), std::nullopt);
+  if (basis.gravity && *basis.gravity == 0.0) {
+    reader.fault("wind",
+                 "blows without gravity; allowed: gravity above 0 (the push scales with sqrt(d/g)), or no wind");
+  }
+}
+
+void read_far_sea(const FieldReader& reader, FarSeaSettings& far_sea) {
+  const FieldReader entry = reader.child("far_sea");
+  entry.read("beaufort", {0, 12, "Beaufort"}, far_sea.beaufort);
+  entry.read("wave_to_deg", {0.0, 360.0, "degrees clockwise from north, where the waves run to"}, far_sea.wave_to_deg);
+  entry.read("components", {1, 128}, far_sea.components);
+}
+
+void read_origin(const FieldReader& reader, GeodeticOrigin& origin) {
+  const FieldReader entry = reader.child("origin");
+  entry.read("latitude_deg", {-89.9, 89.9, "degrees", "east and north have no meaning at the poles"},
+             origin.latitude_deg);
+  entry.read("longitude_deg", {-180.0, 180.0, "degrees"}, origin.longitude_deg);
+  entry.read("height", {-1000.0, 10000.0, "m"}, origin.height);
+}
+
+void read_surface(const FieldReader& reader, SurfaceSettings& surface) {
+  const FieldReader entry = reader.child("surface");
+  entry.read("publish_all", surface.publish_all);
+  entry.read("detection_threshold", {0.0, 1.0}, surface.detection_threshold);
+  entry.read("halo", {0.0, 2.0, "spacings", "neighbours reach no further"}, surface.halo);
+}
+
+}  // namespace
+
+Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
+  Scene scene;
+  scene.name = read_name(reader, source);
+  reader.read("seed", scene.seed);
+  reader.read("tank_walls_visible", scene.tank_walls_visible);
+
+  const Basis basis = read_basis(reader, scene);
+  const std::optional<Box> tank = read_tank(reader, basis);
+  scene.tank = tank.value_or(Box{});
+  scene.time_step = read_time_step(reader, basis);
+  const double largest_step =
+      scene.time_step.max_step > 0.0 ? scene.time_step.max_step : basis.default_step.value_or(0.0);
+  scene.water = read_water(reader, basis, tank, largest_step);
+  scene.solver = read_solver(reader);
+  double frame_rate = 30.0;
+  reader.read("frame_rate", {1.0, 240.0, "frames per second"}, frame_rate);
+  scene.frame_interval = 1.0 / frame_rate;
+
+  read_wind_of_scene(reader, basis, scene);
+  scene.bodies = validate_bodies(reader, tank, source);
+  read_far_sea(reader, scene.far_sea);
+  read_origin(reader, scene.origin);
+  read_surface(reader, scene.surface);
+  return scene;
+}
+
+}  // namespace pelagos

@@ -1,0 +1,326 @@
+#include <gmock/gmock.h>
+
+#include "scene_text.hpp"
+#include "values/lattice.hpp"
+
+namespace pelagos {
+namespace {
+
+using test::read_replacing;
+using test::read_with;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// One faulty field: text that goes after the valid scene at line 7, and what the only fault must say.
+struct FaultCase {
+  const char* name;
+  const char* text;
+  const char* field;
+  const char* says;
+};
+void PrintTo(const FaultCase& c, std::ostream* out) { *out << c.text; }
+
+class SceneRange : public testing::TestWithParam<FaultCase> {};
+
+TEST_P(SceneRange, RefusesNamingLineFieldAndWhatIsAllowed) {
+  const SceneResult result = read_with(GetParam().text);
+  EXPECT_FALSE(result);
+  EXPECT_THAT(result.faults, ElementsAre(AllOf(StartsWith(std::string("test.scene:7: ") + GetParam().field + ": "),
+                                               HasSubstr(GetParam().says))));
+}
+
+constexpr const char* kBody = "body { id: 1 mesh_file: \"a.obj\" position { x: 1 y: 1 z: 1 } ";
+
+INSTANTIATE_TEST_SUITE_P(
+    Fields, SceneRange,
+    testing::Values(
+        FaultCase{"Gravity", "gravity: -1", "gravity", "allowed: 0 to 100 m/s^2"},
+        FaultCase{"GravityNan", "gravity: nan", "gravity", "nan is out of range"},
+        FaultCase{"GravityInfinite", "gravity: inf", "gravity", "inf is out of range"},
+        FaultCase{"GravityZeroWithoutStep", "gravity: 0", "gravity", "time_step.max_step"},
+        FaultCase{"GravityZeroWithWind", "gravity: 0 time_step { max_step: 0.01 } wind { velocity { x: 1 } }", "wind",
+                  "without gravity"},
+        FaultCase{"FrameRate", "frame_rate: 0", "frame_rate", "allowed: 1 to 240 frames per second"},
+        FaultCase{"Density", "solver { density { tolerance: 0 } }", "solver.density.tolerance", "1e-06 to 0.05"},
+        FaultCase{"Divergence", "solver { divergence { tolerance: 0.5 } }", "solver.divergence.tolerance",
+                  "0.5 is out"},
+        FaultCase{"Iterations", "solver { density { max_iterations: 0 } }", "solver.density.max_iterations",
+                  "1 to 1000"},
+        FaultCase{"IterationsCrossed", "solver { density { min_iterations: 9 max_iterations: 8 } }",
+                  "solver.density.min_iterations", "above max_iterations 8"},
+        FaultCase{"Cfl", "time_step { cfl: 3 }", "time_step.cfl", "0.05 to 1"},
+        // 0.14 sqrt(0.1 / 9.81) = 0.01413
+        FaultCase{"MaxStep", "time_step { max_step: 0.02 }", "time_step.max_step", "to 0.01413"},
+        FaultCase{"WindNothing", "wind { amplitude: 1 }", "wind", "exactly one of speed"},
+        FaultCase{"WindTwice", "wind { speed: 5 from_deg: 10 beaufort: 3 }", "wind", "more than one way"},
+        FaultCase{"WindNoDirection", "wind { speed: 5 }", "wind.from_deg", "is missing"},
+        FaultCase{"WindDirection", "wind { speed: 5 from_deg: 361 }", "wind.from_deg", "0 to 360"},
+        FaultCase{"WindDirectionTwice", "wind { velocity { x: 1 } from_deg: 10 }", "wind.from_deg", "velocity has it"},
+        FaultCase{"WindSpeed", "wind { speed: 76 from_deg: 0 }", "wind.speed", "0 to 75 m/s"},
+        FaultCase{"WindLong", "wind { velocity { x: 60 y: 60 } }", "wind.velocity", "allowed: 0 to 75 m/s"},
+        FaultCase{"WindNan", "wind { velocity { y: nan } }", "wind.velocity.y", "nan is out of range"},
+        FaultCase{"Beaufort", "wind { beaufort: 13 from_deg: 0 }", "wind.beaufort", "0 to 12"},
+        FaultCase{"BeaufortNegative", "wind { beaufort: -1 from_deg: 0 }", "wind.beaufort", "-1 is out of range"},
+        FaultCase{"WindAmplitude", "wind { velocity { x: 1 } amplitude: -1 }", "wind.amplitude", "0 to 30 m/s"},
+        FaultCase{"WindLength", "wind { velocity { x: 1 } length: 0 }", "wind.length", "0.01 to 10000 m"},
+        FaultCase{"WindBeta", "wind { velocity { x: 1 } beta: -2 }", "wind.beta", "0 to 100"},
+        FaultCase{"PulsePeriod", "wind { velocity { x: 1 } pulse { period: 0 width: 1 } }", "wind.pulse.period",
+                  "0.01"},
+        FaultCase{"PulseWidth", "wind { velocity { x: 1 } pulse { period: 10 width: 100 } }", "wind.pulse.width",
+                  "longer than the period"},
+        FaultCase{"PulseMissing", "wind { velocity { x: 1 } pulse { period: 10 } }", "wind.pulse.width", "is missing"},
+        FaultCase{"FarSea", "far_sea { beaufort: 13 }", "far_sea.beaufort", "0 to 12"},
+        FaultCase{"FarSeaComponents", "far_sea { components: 0 }", "far_sea.components", "1 to 128"},
+        FaultCase{"FarSeaDirection", "far_sea { wave_to_deg: -1 }", "far_sea.wave_to_deg", "0 to 360"},
+        FaultCase{"Latitude", "origin { latitude_deg: 91 }", "origin.latitude_deg", "-89.9 to 89.9"},
+        FaultCase{"Longitude", "origin { longitude_deg: 181 }", "origin.longitude_deg", "-180 to 180"},
+        FaultCase{"Height", "origin { height: 1e6 }", "origin.height", "-1000 to 10000 m"},
+        FaultCase{"Threshold", "surface { detection_threshold: 2 }", "surface.detection_threshold", "0 to 1"},
+        FaultCase{"Halo", "surface { halo: 9 }", "surface.halo", "0 to 2"},
+        FaultCase{"BodyNoId", "body { mesh_file: \"a.obj\" position { } }", "body[0].id", "is missing"},
+        FaultCase{"BodyId", "body { id: 0 mesh_file: \"a.obj\" position { } }", "body[0].id", "1 to 4294967295"},
+        FaultCase{"BodyNoMesh", "body { id: 1 position { } }", "body[0].mesh_file", "is missing"},
+        FaultCase{"BodyMeshEmpty", "body { id: 1 mesh_file: \"\" position { } }", "body[0].mesh_file", "1 to 1024"},
+        FaultCase{"BodyNoPosition", "body { id: 1 mesh_file: \"a.obj\" }", "body[0].position", "is missing"},
+        FaultCase{"BodyOutside", "body { id: 1 mesh_file: \"a.obj\" position { x: 9 } }", "body[0].position",
+                  "outside the tank"}),
+    [](const auto& entry) { return entry.param.name; });
+
+class SceneBody : public testing::TestWithParam<FaultCase> {};
+
+TEST_P(SceneBody, RefusesNamingLineFieldAndWhatIsAllowed) {
+  const SceneResult result = read_with(std::string(kBody) + GetParam().text + " }");
+  EXPECT_THAT(result.faults,
+              ElementsAre(AllOf(StartsWith(std::string("test.scene:7: body[0].") + GetParam().field + ": "),
+                                HasSubstr(GetParam().says))));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Fields, SceneBody,
+    testing::Values(FaultCase{"Scale", "mesh_scale: 0", "mesh_scale", "0.001 to 1000"},
+                    FaultCase{"Inset", "sample_inset: 2", "sample_inset", "0 to 1"},
+                    FaultCase{"Heading", "heading_deg: 400", "heading_deg", "0 to 360"},
+                    FaultCase{"HeadingNan", "heading_deg: nan", "heading_deg", "nan is out of range"},
+                    FaultCase{"Pitch", "pitch_deg: 91", "pitch_deg", "-90 to 90"},
+                    FaultCase{"Roll", "roll_deg: -181", "roll_deg", "-180 to 180"},
+                    FaultCase{"Quaternion", "orientation { w: 0.5 }", "orientation", "has length 0.5"},
+                    FaultCase{"QuaternionZero", "orientation { }", "orientation", "has length 0;"},
+                    FaultCase{"QuaternionInfinite", "orientation { w: inf }", "orientation.w", "inf is out"},
+                    FaultCase{"Both", "orientation { w: 1 } heading_deg: 3", "orientation", "not both"}),
+    [](const auto& entry) { return entry.param.name; });
+
+TEST(SceneFile, RefusesNegativeSpacing) {
+  EXPECT_THAT(read_replacing("0.1", "-0.1").faults,
+              ElementsAre(AllOf(StartsWith("test.scene:2: particle_spacing: -0.1 is out of range"),
+                                HasSubstr("allowed: 0.001 to 100 m"))));
+}
+
+TEST(SceneFile, RefusesWaterThatAnExplicitStepCannotKeepStable) {
+  // 0.1 d^2 / (0.07 sqrt(d/g)) = 0.001 / 0.0070674 = 0.1415
+  EXPECT_THAT(read_replacing("water {", "water { kinematic_viscosity: 0.2").faults,
+              ElementsAre(AllOf(StartsWith("test.scene:4: water.kinematic_viscosity: 0.2"), HasSubstr("0 to 0.1414"))));
+  EXPECT_TRUE(read_replacing("water {", "water { kinematic_viscosity: 0.14"));
+}
+
+TEST(SceneFile, RefusesDensityAndSettlingOutOfRange) {
+  EXPECT_THAT(read_replacing("water {", "water { rest_density: 1 settle_steps: -1").faults,
+              ElementsAre(HasSubstr("water.rest_density: 1 is out of range; allowed: 500 to 2000 kg/m^3"),
+                          HasSubstr("water.settle_steps: -1 is out of range; allowed: 0 to 5000")));
+}
+
+TEST(SceneFile, RefusesBlocksThatLeaveTheTank) {
+  EXPECT_THAT(read_replacing("max { x: 1 y: 1 z: 1 }", "max { x: 1 y: 1 z: 3 }").faults,
+              ElementsAre(AllOf(StartsWith("test.scene:5: water.block[0]: "), HasSubstr("inside the tank"))));
+}
+
+TEST(SceneFile, RefusesBlocksTooSmallForAParticle) {
+  EXPECT_THAT(read_replacing("max { x: 1 y: 1 z: 1 }", "max { x: 1 y: 1 z: 0.15 }").faults,
+              ElementsAre(AllOf(StartsWith("test.scene:5: water.block[0]: "), HasSubstr("at least 0.2 m"))));
+  EXPECT_TRUE(read_replacing("max { x: 1 y: 1 z: 1 }", "max { x: 1 y: 1 z: 0.2 }"));
+}
+
+TEST(SceneFile, RefusesInsideOutBoxes) {
+  EXPECT_THAT(read_replacing("max { x: 1 y: 1 z: 1 }", "max { x: 1 y: 1 z: -1 }").faults,
+              ElementsAre(AllOf(StartsWith("test.scene:5: water.block[0]: "), HasSubstr("min below max"))));
+}
+
+TEST(SceneFile, RefusesOverlappingBlocksAndTakesTouchingOnes) {
+  const std::string second = "  block { min { x: 0.9 } max { x: 2 y: 1 z: 1 } }\n}\n";
+  std::string text = test::kValid;
+  text.replace(text.rfind("}\n"), 2, second);
+  EXPECT_THAT(read_scene_text(text, "test.scene").faults,
+              ElementsAre(AllOf(StartsWith("test.scene:6: water.block[1]: overlaps water.block[0]"))));
+  text.replace(text.find("0.9"), 3, "1.0");
+  EXPECT_TRUE(read_scene_text(text, "test.scene"));
+}
+
+TEST(SceneFile, RefusesABillionParticlesAtOnceWithTheNumber) {
+  // 1000 intervals along each axis: 999^3 = 997,002,999.
+  const SceneResult result = read_scene_text(
+      "particle_spacing: 0.01\n"
+      "tank { min { } max { x: 10 y: 10 z: 10 } }\n"
+      "water { block { min { } max { x: 10 y: 10 z: 10 } } }\n",
+      "test.scene");
+  EXPECT_THAT(result.faults,
+              testing::Contains(AllOf(StartsWith("test.scene:3: water.block: "), HasSubstr("997,002,999 particles"),
+                                      HasSubstr("at most 4,000,000"))));
+}
+
+TEST(SceneFile, RefusesTanksThatWouldNotFitInMemory) {
+  const SceneResult result = read_scene_text(
+      "particle_spacing: 0.001\n"
+      "tank { min { } max { x: 1e6 y: 1e6 z: 1e6 } }\n"
+      "water { block { min { } max { x: 0.01 y: 0.01 z: 0.01 } } }\n",
+      "test.scene");
+  EXPECT_THAT(result.faults, ElementsAre(AllOf(StartsWith("test.scene:2: tank: "), HasSubstr("wall particles")),
+                                         AllOf(StartsWith("test.scene:2: tank: "), HasSubstr("search cells"))));
+}
+
+TEST(SceneFile, RefusesTanksNarrowerThanTheSupport) {
+  EXPECT_THAT(read_replacing("max { x: 2 y: 2 z: 2 }", "max { x: 2 y: 2 z: 0.3 }").faults,
+              testing::Contains(AllOf(StartsWith("test.scene:3: tank: "), HasSubstr("at least 0.4 m"))));
+}
+
+TEST(SceneFile, NamesEverythingThatIsMissing) {
+  EXPECT_THAT(
+      read_scene_text("", "test.scene").faults,
+      ElementsAre("test.scene:1: particle_spacing: is missing; it is required",
+                  "test.scene:1: tank: is missing; it is required", "test.scene:1: water: is missing; it is required"));
+  EXPECT_THAT(read_scene_text("particle_spacing: 1\ntank { min { } }\n\nwater { }", "test.scene").faults,
+              ElementsAre("test.scene:2: tank.max: is missing; it is required",
+                          "test.scene:4: water.block: is missing; it is required"));
+}
+
+TEST(SceneFile, RefusesEmptyAndUnprintableNames) {
+  EXPECT_THAT(read_replacing("small", "").faults, ElementsAre(HasSubstr(":1: name: has 0 characters")));
+  EXPECT_THAT(read_replacing("small", "a b/c").faults, ElementsAre(HasSubstr("A-Z a-z 0-9 _ - .")));
+}
+
+TEST(SceneFile, RefusesTwoBodiesWithOneId) {
+  const std::string body = std::string(kBody) + "}\n";
+  EXPECT_THAT(read_with(body + body).faults,
+              ElementsAre(AllOf(StartsWith("test.scene:8: body[1].id: 1 is taken by body[0]"))));
+}
+
+TEST(SceneFile, RefusesAMeshThatIsNotThereNamingWhereItLooked) {
+  SceneReadOptions options;
+  options.asset_roots = {"/nowhere/assets"};
+  const SceneResult result = read_scene_text(test::kValid + "body { id: 1 mesh_file: \"hull.obj\" position { } }",
+                                             "/some/test.scene", options);
+  EXPECT_THAT(result.faults, ElementsAre(AllOf(StartsWith("/some/test.scene:7: body[0].mesh_file: "),
+                                               HasSubstr("/some/hull.obj"), HasSubstr("/nowhere/assets/hull.obj"))));
+}
+
+TEST(SceneFile, ReportsAllFaultsAtOnceInTheOrderOfTheFile) {
+  const SceneResult result = read_scene_text(
+      "particle_spacing: 0.1\n"
+      "gravty: 9.81\n"  // unknown
+      "tank { min { } max { x: 2 y: 2 z: 2 } }\n"
+      "water {\n"
+      "  rest_density: 5\n"                                            // out of range
+      "  block { min { } max { x: 1 y: 1 z: 1 } colour: \"blue\" }\n"  // unknown, inside the first block
+      "  block { min { x: 1 } max { x: 9 y: 1 z: 1 } }\n"              // outside
+      "}\n"
+      "wind {\n"
+      "  beaufort: 99 from_deg: 10\n"  // out of range
+      "  beta: nan\n"                  // not a number
+      "}\n",
+      "test.scene");
+  EXPECT_THAT(result.faults,
+              ElementsAre(StartsWith("test.scene:2: gravty: unknown field; did you mean \"gravity\"?"),
+                          StartsWith("test.scene:5: water.rest_density: 5 is out of range"),
+                          StartsWith("test.scene:6: water.block[0].colour: unknown field; allowed here: min, max"),
+                          StartsWith("test.scene:7: water.block[1]: "), StartsWith("test.scene:10: wind.beaufort: 99"),
+                          StartsWith("test.scene:11: wind.beta: nan")));
+}
+
+TEST(SceneFile, TakesTheDefaultsOfWhatIsLeftOut) {
+  const SceneResult result = read_with("");
+  ASSERT_TRUE(result) << result.report();
+  const Scene& scene = *result.scene;
+  EXPECT_EQ(scene.seed, 1u);
+  EXPECT_EQ(scene.gravity, 9.81);
+  EXPECT_EQ(scene.water.rest_density, 1000.0);
+  EXPECT_LT(scene.water.kinematic_viscosity, 0.0);
+  EXPECT_EQ(scene.solver.density.tolerance, 3e-4);
+  EXPECT_EQ(scene.solver.method, PressureMethod::kConjugateGradient);
+  EXPECT_FALSE(scene.wind);
+  EXPECT_EQ(scene.frame_interval, 1.0 / 30.0);
+  EXPECT_EQ(particle_count(scene), 9 * 9 * 9);
+}
+
+TEST(SceneFile, ReadsEveryFieldIntoItsPlace) {
+  const SceneResult result = read_with(
+      "seed: 18446744073709551615 gravity: 1.62 tank_walls_visible: true frame_rate: 60\n"
+      "solver { kind: HYBRID method: JACOBI density { tolerance: 1e-4 min_iterations: 3 max_iterations: 50 }\n"
+      "  divergence { tolerance: 2e-3 min_iterations: 4 max_iterations: 60 } }\n"
+      "time_step { cfl: 0.3 max_step: 0.005 }\n"
+      "wind { speed: 10 from_deg: 270 amplitude: 2 length: 5 beta: 1 pulse { period: 8 width: 3 } }\n"
+      "far_sea { beaufort: 6 wave_to_deg: 45 components: 12 }\n"
+      "origin { latitude_deg: 38.9 longitude_deg: 121.6 height: 3 }\n"
+      "surface { publish_all: true detection_threshold: 0.2 halo: 0.5 }\n"
+      "body { id: 7 name: \"tug\" mesh_file: \"tug.obj\" mesh_scale: 2 sample_inset: 0.5 drive: STATIC\n"
+      "  position { x: 1 y: 1.5 z: 0.5 } orientation { w: 0.6 z: 0.8 } }\n");
+  ASSERT_TRUE(result) << result.report();
+  const Scene& s = *result.scene;
+  EXPECT_EQ(s.seed, 18446744073709551615u);
+  EXPECT_EQ(s.gravity, 1.62);
+  EXPECT_TRUE(s.tank_walls_visible);
+  EXPECT_EQ(s.frame_interval, 1.0 / 60.0);
+  EXPECT_EQ(s.solver.method, PressureMethod::kJacobi);
+  EXPECT_EQ(s.solver.density.tolerance, 1e-4);
+  EXPECT_EQ(s.solver.density.min_iterations, 3);
+  EXPECT_EQ(s.solver.density.max_iterations, 50);
+  EXPECT_EQ(s.solver.divergence.tolerance, 2e-3);
+  EXPECT_EQ(s.solver.divergence.min_iterations, 4);
+  EXPECT_EQ(s.solver.divergence.max_iterations, 60);
+  EXPECT_EQ(s.time_step.cfl, 0.3);
+  EXPECT_EQ(s.time_step.max_step, 0.005);
+  ASSERT_TRUE(s.wind);
+  EXPECT_NEAR(s.wind->velocity.x(), 10.0, 1e-12);  // from the west: towards the east; sin and cos round
+  EXPECT_NEAR(s.wind->velocity.y(), 0.0, 1e-12);
+  EXPECT_EQ(s.wind->amplitude, 2.0);
+  EXPECT_EQ(s.wind->length, 5.0);
+  EXPECT_EQ(s.wind->beta, 1.0);
+  ASSERT_TRUE(s.wind->pulse);
+  EXPECT_EQ(s.wind->pulse->period, 8.0);
+  EXPECT_EQ(s.wind->pulse->width, 3.0);
+  EXPECT_EQ(s.far_sea.beaufort, 6);
+  EXPECT_EQ(s.far_sea.wave_to_deg, 45.0);
+  EXPECT_EQ(s.far_sea.components, 12u);
+  EXPECT_EQ(s.origin.latitude_deg, 38.9);
+  EXPECT_EQ(s.origin.longitude_deg, 121.6);
+  EXPECT_EQ(s.origin.height, 3.0);
+  EXPECT_TRUE(s.surface.publish_all);
+  EXPECT_EQ(s.surface.detection_threshold, 0.2);
+  EXPECT_EQ(s.surface.halo, 0.5);
+  ASSERT_EQ(s.bodies.size(), 1u);
+  EXPECT_EQ(s.bodies[0].id, 7u);
+  EXPECT_EQ(s.bodies[0].name, "tug");
+  EXPECT_EQ(s.bodies[0].mesh_scale, 2.0);
+  EXPECT_EQ(s.bodies[0].sample_inset, 0.5);
+  EXPECT_EQ(s.bodies[0].drive, BodyDrive::kStatic);
+  EXPECT_EQ(s.bodies[0].position, Eigen::Vector3d(1.0, 1.5, 0.5));
+  EXPECT_NEAR(s.bodies[0].orientation.z(), 0.8, 1e-12);  // normalising rounds
+}
+
+TEST(SceneFile, TurnsShipAnglesIntoTheWorldFrame) {
+  const auto axis = [](const char* angles, const Eigen::Vector3d& body_axis) {
+    const SceneResult result = read_with(std::string(kBody) + angles + " }");
+    EXPECT_TRUE(result) << result.report();
+    return result ? Eigen::Vector3d(result.scene->bodies[0].orientation * body_axis) : Eigen::Vector3d();
+  };
+  const Eigen::Vector3d forward = Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d port = Eigen::Vector3d::UnitY();
+  constexpr double kRounding = 1e-12;
+  EXPECT_TRUE(axis("", forward).isApprox(Eigen::Vector3d::UnitY(), kRounding));                 // north
+  EXPECT_TRUE(axis("heading_deg: 90", forward).isApprox(Eigen::Vector3d::UnitX(), kRounding));  // east
+  EXPECT_TRUE(axis("heading_deg: 90", port).isApprox(Eigen::Vector3d::UnitY(), kRounding));     // port is north
+  EXPECT_GT(axis("pitch_deg: 10", forward).z(), 0.17);  // bow up by sin 10 degrees = 0.1736
+  EXPECT_GT(axis("roll_deg: 10", port).z(), 0.17);      // starboard down: port up
+}
+
+}  // namespace
+}  // namespace pelagos

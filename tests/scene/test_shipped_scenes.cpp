@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "scene/read_scene.hpp"
+#include "values/beaufort.hpp"
+#include "values/lattice.hpp"
+
+namespace pelagos {
+namespace {
+
+Scene load(const char* name) {
+  const SceneResult result = read_scene_file(std::string(PELAGOS_SOURCE_DIR) + "/scenes/" + name);
+  EXPECT_TRUE(result) << result.report();
+  return result.scene.value_or(Scene{});
+}
+
+Box box(double x, double y, double z) { return {Eigen::Vector3d::Zero(), {x, y, z}}; }
+
+TEST(Lattice, HoldsThePapersNumbersOfParticles) {
+  // Sizes of the paper's sections VI.A to VI.C in units of L, d = 0.05 L, for L = 1 m and for the bridge's L = 20 m.
+  for (const double unit : {1.0, 20.0}) {
+    const double d = 0.05 * unit;
+    EXPECT_EQ(particle_count(box(1.6 * unit, 1.5 * unit, 2.0 * unit), d), 35061) << "dam break";
+    EXPECT_EQ(particle_count(box(5.0 * unit, 2.0 * unit, 0.5 * unit), d), 34749) << "wind waves";
+    EXPECT_EQ(particle_count(box(3.0 * unit, 2.0 * unit, 0.8 * unit), d), 34515) << "lighthouse";
+    EXPECT_EQ(particle_count(box(5.0 * unit, 3.0 * unit, 0.6 * unit), d), 64251) << "tanker, oil spill";
+  }
+}
+
+TEST(Lattice, IsEmptyWhereThereIsNoRoomAndBoundedWhereThereIsTooMuch) {
+  EXPECT_EQ(particle_count(box(1.0, 1.0, 0.19), 0.1), 0);
+  EXPECT_EQ(particle_count(box(1.0, 1.0, 0.2), 0.1), 81);
+  EXPECT_EQ(particle_count(box(1e300, 1e300, 1e300), 1e-3), 1e27);
+}
+
+TEST(Beaufort, SpeedsLieWithinTheirForce) {
+  // Upper bounds of forces 0 to 11 at 10 m, m/s.
+  const std::array<double, 12> upper{0.3, 1.6, 3.4, 5.5, 8.0, 10.8, 13.9, 17.2, 20.8, 24.5, 28.5, 32.7};
+  for (std::size_t force = 0; force < 12; ++force) {
+    EXPECT_LT(beaufort_speed(static_cast<int>(force)), upper[force]) << force;
+    EXPECT_GT(beaufort_speed(static_cast<int>(force) + 1), upper[force]) << force;
+  }
+}
+
+TEST(ShippedScenes, DamBreakIsThePapers) {
+  const Scene scene = load("dam_break.scene");
+  EXPECT_EQ(scene.name, "dam_break");
+  EXPECT_EQ(particle_count(scene), 35061);
+  EXPECT_EQ(scene.tank.size(), Eigen::Vector3d(5.0, 3.0, 5.0));
+  EXPECT_FALSE(scene.wind);
+}
+
+TEST(ShippedScenes, WindWavesIsThePapers) {
+  const Scene scene = load("wind_waves.scene");
+  EXPECT_EQ(particle_count(scene), 34749);
+  ASSERT_TRUE(scene.wind);
+  EXPECT_EQ(scene.wind->velocity, Eigen::Vector3d(-18.0, -0.5, 0.0));
+  EXPECT_EQ(scene.wind->amplitude, 3.0);
+  EXPECT_EQ(scene.wind->beta, 1.5);
+  EXPECT_FALSE(scene.wind->pulse);
+}
+
+TEST(ShippedScenes, StillWaterIsSmall) { EXPECT_EQ(particle_count(load("still_water.scene")), 3249); }
+
+TEST(ShippedScenes, BridgeCarriesTheOwnShip) {
+  const Scene scene = load("bridge.scene");
+  EXPECT_EQ(particle_count(scene), 33725);
+  EXPECT_EQ(scene.particle_spacing, 1.0);
+  ASSERT_EQ(scene.bodies.size(), 1u);
+  EXPECT_EQ(scene.bodies[0].id, 1u);
+  EXPECT_EQ(scene.bodies[0].drive, BodyDrive::kPose);
+  EXPECT_TRUE(std::filesystem::is_regular_file(scene.bodies[0].mesh_file));
+  ASSERT_TRUE(scene.wind);
+  EXPECT_NEAR(scene.wind->velocity.norm(), beaufort_speed(5), 1e-12);  // sin and cos round
+  EXPECT_NEAR(wind_from_deg(scene.wind->velocity), 250.0, 1e-9);
+  EXPECT_EQ(scene.far_sea.beaufort, 5);
+}
+
+TEST(ShippedScenes, EverySceneLoads) {
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(PELAGOS_SOURCE_DIR) + "/scenes")) {
+    if (entry.path().extension() != ".scene") continue;
+    ++scenes;
+    const SceneResult result = read_scene_file(entry.path());
+    EXPECT_TRUE(result) << result.report();
+  }
+  EXPECT_GE(scenes, 4);
+}
+
+}  // namespace
+}  // namespace pelagos
