@@ -1,10 +1,12 @@
 #include "pelagos_dds/entities.hpp"
 
+#include <cstdlib>
 #include <map>
 #include <mutex>
 
 #include "dds_messages.hpp"
 #include "pelagos_dds/log_sink.hpp"
+#include "pelagos_dds/participant.hpp"
 
 namespace pelagos {
 namespace {
@@ -89,6 +91,9 @@ Qos make_qos(const TopicQos& settings) {
   if (settings.liveliness_lease.count() > 0) {
     dds_qset_liveliness(qos.get(), DDS_LIVELINESS_AUTOMATIC, DDS_MSECS(settings.liveliness_lease.count()));
   }
+  if (settings.most_instances > 0) {
+    dds_qset_resource_limits(qos.get(), DDS_LENGTH_UNLIMITED, settings.most_instances, DDS_LENGTH_UNLIMITED);
+  }
   // What a gone writer has written stays; instances of dead writers are purged soon, so that memory stays bounded.
   dds_qset_writer_data_lifecycle(qos.get(), false);
   dds_qset_reader_data_lifecycle(qos.get(), DDS_SECS(10), DDS_SECS(10));
@@ -115,7 +120,7 @@ void DdsEntity::reset() noexcept {
 }
 
 DdsParticipant::DdsParticipant(const DdsSettings& settings)
-    : domain_(settings.domain), participant_(join_domain(settings)) {
+    : domain_(settings.domain), logs_(static_cast<bool>(settings.log)), participant_(join_domain(settings)) {
   if (settings.log) {
     install_dds_log(settings.log);
     if (const auto warning = check_receive_buffer()) settings.log(*warning);
@@ -125,6 +130,11 @@ DdsParticipant::DdsParticipant(const DdsSettings& settings)
 DdsParticipant::~DdsParticipant() {
   participant_.reset();
   leave_domain(domain_);
+  if (logs_) install_dds_log({});
+}
+
+std::shared_ptr<DdsParticipant> join_dds(const DdsSettings& settings) {
+  return std::make_shared<DdsParticipant>(settings);
 }
 
 DdsWriter::DdsWriter(const DdsParticipant& participant, const TopicSpec& spec)

@@ -41,7 +41,8 @@ class DdsEntity {
 };
 
 /// A process's membership of a domain. The first participant of a domain in a process configures the domain; the last
-/// one takes it down.
+/// one takes it down. With a log in the settings, messages of the DDS library go there while this lives; the library
+/// knows one log for the process, the latest.
 class DdsParticipant {
  public:
   explicit DdsParticipant(const DdsSettings& settings);
@@ -53,6 +54,7 @@ class DdsParticipant {
 
  private:
   std::uint32_t domain_;
+  bool logs_;
   DdsEntity participant_;
 };
 
@@ -61,6 +63,7 @@ struct TopicQos {
   bool reliable = true;
   int depth = 1;                                  ///< KEEP_LAST, for each key
   bool transient_local = false;                   ///< a late reader gets the writer's last values
+  int most_instances = 0;                         ///< > 0: of a reader; keys beyond are dropped, memory stays bounded
   std::chrono::milliseconds liveliness_lease{0};  ///< > 0: automatic liveliness with this lease
 };
 

@@ -50,7 +50,8 @@ void assign_motion(const Wire& wire, Value& value) {
   value.position = motion.position;
   value.orientation = motion.orientation;
   value.velocity = motion.velocity;
-  value.angular_velocity = motion.orientation * motion.rate_body;
+  // A sender's quaternion may be off by a rounding error; turning a vector wants it exact.
+  value.angular_velocity = motion.orientation.normalized() * motion.rate_body;
 }
 
 // The generated types are C: strings and buffers are not const there, but a writer only reads them.

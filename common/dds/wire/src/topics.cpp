@@ -7,8 +7,19 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr TopicQos kLastValue{};
-constexpr TopicQos kLastValueForLate{.reliable = true, .depth = 1, .transient_local = true, .liveliness_lease = {}};
+// Readers hold a few servers at most: a hostile peer that makes up sources must not fill the memory.
+constexpr int kMostSources = 64;
+
+TopicQos reader_qos() {
+  TopicQos qos;
+  qos.most_instances = kMostSources;
+  return qos;
+}
+
+TopicQos for_late(TopicQos qos) {
+  qos.transient_local = true;
+  return qos;
+}
 
 }  // namespace
 
@@ -16,32 +27,37 @@ constexpr TopicQos kLastValueForLate{.reliable = true, .depth = 1, .transient_lo
 TopicSpec ocean_frame() {
   TopicQos writer;
   writer.depth = 2;
-  return {"ocean_frame_v1", &pelagos_OceanFrameV1_desc, writer, kLastValue};
+  return {"ocean_frame_v1", &pelagos_OceanFrameV1_desc, writer, reader_qos()};
 }
 
 // The lease of 1 s is the server's sign of life; readers ask for none, so that any lease matches.
 TopicSpec scene_info() {
-  TopicQos writer = kLastValueForLate;
+  TopicQos writer = for_late({});
   writer.liveliness_lease = milliseconds(1000);
-  return {"scene_info_v1", &pelagos_SceneInfoV1_desc, writer, kLastValueForLate};
+  return {"scene_info_v1", &pelagos_SceneInfoV1_desc, writer, for_late(reader_qos())};
 }
 
-TopicSpec status() { return {"status_v1", &pelagos_StatusV1_desc, kLastValue, kLastValue}; }
+TopicSpec status() { return {"status_v1", &pelagos_StatusV1_desc, TopicQos{}, reader_qos()}; }
 
-TopicSpec wind() { return {"wind_v1", &pelagos_WindV1_desc, kLastValueForLate, kLastValueForLate}; }
+TopicSpec wind() { return {"wind_v1", &pelagos_WindV1_desc, for_late({}), for_late(reader_qos())}; }
 
 // Events come in bursts and each one counts.
 TopicSpec event() {
-  TopicQos qos;
-  qos.depth = 64;
-  return {"event_v1", &pelagos_EventV1_desc, qos, qos};
+  TopicQos writer;
+  writer.depth = 64;
+  TopicQos reader = reader_qos();
+  reader.depth = 64;
+  return {"event_v1", &pelagos_EventV1_desc, writer, reader};
 }
 
-// The server takes best effort too, so that every bridge matches.
+// The server takes best effort too, so that every bridge matches. It keeps more than the last value, so that somebody
+// who floods a body with bad poses does not push good ones out before they have been looked at.
 TopicSpec own_ship_pose() {
   TopicQos reader;
   reader.reliable = false;
-  return {"own_ship_pose_v1", &pelagos_PoseV1_desc, kLastValue, reader};
+  reader.depth = 32;
+  reader.most_instances = 1024;
+  return {"own_ship_pose_v1", &pelagos_PoseV1_desc, TopicQos{}, reader};
 }
 
 TopicSpec body_pose() {

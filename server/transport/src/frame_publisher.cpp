@@ -1,0 +1,298 @@
+#include "transport/frame_publisher.hpp"
+
+#include <algorithm>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <random>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "pelagos_dds/entities.hpp"
+#include "pelagos_dds/log_sink.hpp"
+#include "wire/convert.hpp"
+#include "wire/topics.hpp"
+
+namespace pelagos {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Milliseconds = std::chrono::duration<double, std::milli>;
+using Microseconds = std::chrono::duration<double, std::micro>;
+
+constexpr std::size_t kMostSpareSnapshots = 3;  // one being filled, one waiting, one being packed
+constexpr std::size_t kMostWaitingEvents = 256;
+
+std::uint64_t draw_source() {
+  std::random_device device;
+  const std::uint64_t high = device();
+  return std::max<std::uint64_t>(1, high << 32 | device());
+}
+
+/// Octets of an OceanFrameV1 in CDR besides the payload: encapsulation, header and bodies.
+std::size_t header_octets(std::size_t bodies) { return 112 + bodies * 128; }
+
+}  // namespace
+
+class FramePublisher::Implementation {
+ public:
+  Implementation(std::shared_ptr<DdsParticipant> participant, const SceneInfo& info, const PublisherSettings& settings,
+                 DdsLog log)
+      : source_(settings.source != 0 ? settings.source : draw_source()),
+        frame_(settings.bodies_in_ned ? pelagos_FRAME_NED : pelagos_FRAME_ENU),
+        status_interval_(std::chrono::duration_cast<Clock::duration>(
+            std::chrono::duration<double>(std::clamp(settings.status_interval, 0.0, 3600.0)))),
+        log_(std::move(log)),
+        participant_(std::move(participant)),
+        scene_writer_(*participant_, topics::scene_info()),
+        frame_writer_(*participant_, topics::ocean_frame()),
+        status_writer_(*participant_, topics::status()),
+        wind_writer_(*participant_, topics::wind()),
+        event_writer_(*participant_, topics::event()) {
+    spare_.reserve(kMostSpareSnapshots);
+    publish_scene_info(info);
+    thread_ = std::thread([this] { run(); });
+  }
+
+  ~Implementation() {
+    {
+      const std::lock_guard lock(mutex_);
+      stop_ = true;
+    }
+    work_.notify_one();
+    thread_.join();
+  }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
+  std::unique_ptr<Snapshot> acquire() {
+    std::unique_ptr<Snapshot> snapshot;
+    {
+      const std::lock_guard lock(mutex_);
+      if (!spare_.empty()) {
+        snapshot = std::move(spare_.back());
+        spare_.pop_back();
+      }
+    }
+    if (!snapshot) return std::make_unique<Snapshot>();
+    snapshot->particles.clear();
+    snapshot->bodies.clear();
+    return snapshot;
+  }
+
+  void submit(std::unique_ptr<Snapshot> snapshot) {
+    if (!snapshot) return;
+    const auto begin = Clock::now();
+    std::unique_ptr<Snapshot> surplus;  // freed outside the lock
+    {
+      const std::lock_guard lock(mutex_);
+      ++counters_.submitted;
+      if (waiting_) {
+        ++counters_.dropped;
+        surplus = keep_spare(std::move(waiting_));
+      }
+      waiting_ = std::move(snapshot);
+    }
+    work_.notify_one();
+    const double taken = Microseconds(Clock::now() - begin).count();
+    const std::lock_guard lock(mutex_);
+    handover_us_ += taken;
+    counters_.handover_us_peak = std::max(counters_.handover_us_peak, taken);
+  }
+
+  void submit_status(const ServerStatus& status) {
+    {
+      const std::lock_guard lock(mutex_);
+      waiting_status_ = status;
+    }
+    work_.notify_one();
+  }
+
+  void publish_event(const Event& event) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (events_.size() >= kMostWaitingEvents) {
+        events_.pop_front();
+        ++counters_.events_dropped;
+      }
+      events_.push_back(event);
+    }
+    work_.notify_one();
+  }
+
+  void publish_scene_info(const SceneInfo& info) {
+    {
+      const std::lock_guard lock(mutex_);
+      particle_spacing_ = info.particle_spacing;
+    }
+    const wire::SceneInfoSample sample(info, source_);
+    count_write(scene_writer_.write(&sample.get()), "scene_info");
+  }
+
+  std::uint64_t source() const { return source_; }
+  std::uint32_t viewers() const { return frame_writer_.matched_readers(); }
+
+  PublisherCounters counters() const {
+    const std::lock_guard lock(mutex_);
+    PublisherCounters result = counters_;
+    const auto frames = static_cast<double>(std::max<std::uint64_t>(1, result.published));
+    result.handover_us_mean = handover_us_ / static_cast<double>(std::max<std::uint64_t>(1, result.submitted));
+    result.pack_ms_mean = pack_ms_ / frames;
+    result.frame_ms_mean = frame_ms_ / frames;
+    return result;
+  }
+
+ private:
+  /// What there is to publish, taken out of the mailbox at once.
+  struct Work {
+    std::unique_ptr<Snapshot> snapshot;
+    std::optional<ServerStatus> status;
+    std::deque<Event> events;
+    double particle_spacing = 0.0;
+  };
+
+  void run() {
+    Work work;
+    while (wait_for_work(work)) {
+      try {
+        publish(work);
+      } catch (const std::exception& error) {  // out of memory: this frame is lost, the next may do
+        count_write(false, error.what());
+      }
+      const std::lock_guard lock(mutex_);
+      if (work.snapshot) keep_spare(std::move(work.snapshot));
+    }
+  }
+
+  /// False when stopped and nothing is left.
+  bool wait_for_work(Work& work) {
+    std::unique_lock lock(mutex_);
+    work_.wait(lock, [this] { return stop_ || waiting_ || waiting_status_ || !events_.empty(); });
+    if (!waiting_ && !waiting_status_ && events_.empty()) return false;
+    work.snapshot = std::move(waiting_);
+    work.status = std::exchange(waiting_status_, std::nullopt);
+    work.events = std::exchange(events_, {});
+    work.particle_spacing = particle_spacing_;
+    return true;
+  }
+
+  void publish(const Work& work) {
+    for (const Event& event : work.events) {
+      const pelagos_EventV1 sample = wire::to_wire(event, source_);
+      count_write(event_writer_.write(&sample), "event");
+    }
+    if (work.snapshot) publish_frame(*work.snapshot, work.particle_spacing);
+    if (work.status) {
+      publish_status(*work.status);
+    } else if (work.snapshot && Clock::now() - last_status_ >= status_interval_) {
+      publish_status(work.snapshot->status);
+    }
+  }
+
+  void publish_frame(const Snapshot& snapshot, double particle_spacing) {
+    const auto begin = Clock::now();
+    const std::uint32_t refused = frame_sample_.fill(snapshot, particle_spacing, source_, frame_);
+    const auto packed = Clock::now();
+    const pelagos_OceanFrameV1& sample = frame_sample_.get();
+    const bool written = frame_writer_.write(&sample);
+    const auto end = Clock::now();
+    count_write(written, "frame");
+    if (refused > 0) {
+      log_.write("frame " + std::to_string(snapshot.frame) + ": " + std::to_string(refused) +
+                 " particles left out, their values are not finite or absurd");
+    }
+    const std::lock_guard lock(mutex_);
+    counters_.refused_particles += refused;
+    if (!written) return;
+    ++counters_.published;
+    pack_ms_ += Milliseconds(packed - begin).count();
+    const double frame_ms = Milliseconds(end - begin).count();
+    frame_ms_ += frame_ms;
+    counters_.frame_ms_peak = std::max(counters_.frame_ms_peak, frame_ms);
+    if (sample.count > 0) {
+      const std::size_t octets = sample.payload._length + header_octets(snapshot.bodies.size());
+      counters_.bytes_per_particle = static_cast<double>(octets) / sample.count;
+    }
+  }
+
+  /// Status, and the wind with it.
+  void publish_status(ServerStatus status) {
+    last_status_ = Clock::now();
+    {
+      const std::lock_guard lock(mutex_);
+      status.frames_published = counters_.published;
+      status.frames_dropped = counters_.dropped;
+    }
+    const wire::StatusSample sample(status, source_, frame_);
+    count_write(status_writer_.write(&sample.get()), "status");
+
+    pelagos_WindV1 wind{};
+    wind.source = source_;
+    wind.simulation_time = status.simulation_time;
+    wind.has_wind = status.wind.has_value();
+    wind.wind = wire::to_wire(status.wind);
+    count_write(wind_writer_.write(&wind), "wind");
+  }
+
+  void count_write(bool written, const std::string& what) {
+    if (written) return;
+    log_.write("cannot publish " + what);
+    const std::lock_guard lock(mutex_);
+    ++counters_.failed;
+  }
+
+  /// Needs the lock. Gives back what is too much to keep.
+  std::unique_ptr<Snapshot> keep_spare(std::unique_ptr<Snapshot> snapshot) {
+    if (spare_.size() >= kMostSpareSnapshots) return snapshot;
+    spare_.push_back(std::move(snapshot));
+    return nullptr;
+  }
+
+  const std::uint64_t source_;
+  const pelagos_WorldFrame frame_;
+  const Clock::duration status_interval_;
+  RateLimitedLog log_;
+  std::shared_ptr<DdsParticipant> participant_;
+  DdsWriter scene_writer_;
+  DdsWriter frame_writer_;
+  DdsWriter status_writer_;
+  DdsWriter wind_writer_;
+  DdsWriter event_writer_;
+
+  // Of the publisher thread alone.
+  wire::OceanFrameSample frame_sample_;
+  Clock::time_point last_status_{};
+
+  mutable std::mutex mutex_;  // guards what follows; held for moves of pointers only
+  std::condition_variable work_;
+  bool stop_ = false;
+  std::unique_ptr<Snapshot> waiting_;
+  std::vector<std::unique_ptr<Snapshot>> spare_;
+  std::optional<ServerStatus> waiting_status_;
+  std::deque<Event> events_;
+  double particle_spacing_ = 0.0;
+  PublisherCounters counters_;
+  double handover_us_ = 0.0;  // sums of what counters() gives the mean of
+  double pack_ms_ = 0.0;
+  double frame_ms_ = 0.0;
+
+  std::thread thread_;
+};
+
+FramePublisher::FramePublisher(std::shared_ptr<DdsParticipant> participant, const SceneInfo& info,
+                               const PublisherSettings& settings, DdsLog log)
+    : implementation_(std::make_unique<Implementation>(std::move(participant), info, settings, std::move(log))) {}
+FramePublisher::~FramePublisher() = default;
+
+std::unique_ptr<Snapshot> FramePublisher::acquire() { return implementation_->acquire(); }
+void FramePublisher::submit(std::unique_ptr<Snapshot> snapshot) { implementation_->submit(std::move(snapshot)); }
+void FramePublisher::submit_status(const ServerStatus& status) { implementation_->submit_status(status); }
+void FramePublisher::publish_event(const Event& event) { implementation_->publish_event(event); }
+void FramePublisher::publish_scene_info(const SceneInfo& info) { implementation_->publish_scene_info(info); }
+std::uint64_t FramePublisher::source() const { return implementation_->source(); }
+PublisherCounters FramePublisher::counters() const { return implementation_->counters(); }
+std::uint32_t FramePublisher::viewers() const { return implementation_->viewers(); }
+
+}  // namespace pelagos

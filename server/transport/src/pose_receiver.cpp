@@ -1,0 +1,111 @@
+#include "transport/pose_receiver.hpp"
+
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "pelagos_dds/entities.hpp"
+#include "pelagos_dds/log_sink.hpp"
+#include "wire/convert.hpp"
+#include "wire/topics.hpp"
+
+namespace pelagos {
+namespace {
+
+constexpr auto kPollInterval = std::chrono::milliseconds(500);
+// Between two rounds, so that a flood is taken in batches: it adds this much to a pose's delay at most.
+constexpr auto kBatchInterval = std::chrono::milliseconds(1);
+
+}  // namespace
+
+class PoseReceiver::Implementation {
+ public:
+  Implementation(std::shared_ptr<DdsParticipant> participant, const std::vector<std::uint32_t>& bodies, DdsLog log,
+                 const PoseLimits& limits)
+      : log_(std::move(log)),
+        participant_(std::move(participant)),
+        own_ship_(*participant_, topics::own_ship_pose()),
+        others_(*participant_, topics::body_pose()),
+        waitset_(*participant_),
+        gate_(bodies, limits) {
+    waitset_.attach(own_ship_);
+    waitset_.attach(others_);
+    thread_ = std::thread([this] { dispatch(); });
+  }
+
+  ~Implementation() {
+    stop_ = true;
+    waitset_.wake();
+    thread_.join();
+  }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
+  void take_newest(std::vector<ReceivedPose>& poses) {
+    poses.clear();
+    const std::lock_guard lock(mutex_);
+    for (const auto& [body, pose] : newest_) poses.push_back(pose);
+    newest_.clear();
+  }
+
+  PoseCounters counters() const {
+    const std::lock_guard lock(mutex_);
+    return gate_.counters();
+  }
+
+ private:
+  void dispatch() {
+    const auto accept = [this](const pelagos_PoseV1& sample) { accept_pose(sample); };
+    while (!stop_) {
+      waitset_.wait(kPollInterval);
+      try {
+        own_ship_.take_all<pelagos_PoseV1>(accept);
+        others_.take_all<pelagos_PoseV1>(accept);
+      } catch (const std::exception& error) {  // out of memory: this round's poses are lost, the next may do
+        log_.write(std::string("receiving poses failed: ") + error.what());
+      }
+      std::this_thread::sleep_for(kBatchInterval);
+    }
+  }
+
+  void accept_pose(const pelagos_PoseV1& sample) {
+    BodyPose pose = wire::from_wire(sample);
+    const auto now = PoseGate::Clock::now();
+    std::optional<PoseFault> fault;
+    {
+      const std::lock_guard lock(mutex_);
+      fault = gate_.check(pose, sample.sender, now);
+      if (!fault) newest_[pose.body] = {pose, sample.sender, now};
+    }
+    if (fault) {
+      log_.write("pose of body " + std::to_string(sample.body) + " from sender " + std::to_string(sample.sender) +
+                 " refused: " + std::string(describe(*fault)));
+    }
+  }
+
+  RateLimitedLog log_;
+  std::shared_ptr<DdsParticipant> participant_;
+  DdsReader own_ship_;
+  DdsReader others_;
+  DdsWaitSet waitset_;
+  std::atomic<bool> stop_{false};
+
+  mutable std::mutex mutex_;  // guards what follows; held for one pose at a time
+  PoseGate gate_;
+  std::map<std::uint32_t, ReceivedPose> newest_;
+
+  std::thread thread_;
+};
+
+PoseReceiver::PoseReceiver(std::shared_ptr<DdsParticipant> participant, const std::vector<std::uint32_t>& bodies,
+                           DdsLog log, const PoseLimits& limits)
+    : implementation_(std::make_unique<Implementation>(std::move(participant), bodies, std::move(log), limits)) {}
+PoseReceiver::~PoseReceiver() = default;
+
+void PoseReceiver::take_newest(std::vector<ReceivedPose>& poses) { implementation_->take_newest(poses); }
+PoseCounters PoseReceiver::counters() const { return implementation_->counters(); }
+
+}  // namespace pelagos

@@ -1,0 +1,294 @@
+#include "loopback.hpp"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "pelagos_dds/entities.hpp"
+#include "wire/convert.hpp"
+#include "wire/topics.hpp"
+
+namespace pelagos {
+namespace {
+
+constexpr double kRounding = 1e-12;  // a few multiplications of numbers around 1 in double
+
+TEST_F(Loopback, FrameComesThroughWithBodiesAndHeader) {
+  start();
+  const auto frame = pass(7, 1000);
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->source, publisher_->source());
+  EXPECT_EQ(frame->frame, 7U);
+  EXPECT_DOUBLE_EQ(frame->simulation_time, 7.0 / 30.0);
+  EXPECT_EQ(frame->wall_time_ns, 1700000000000000007);
+  EXPECT_EQ(frame->origin, Eigen::Vector3d(1000.0, -2000.0, 0.5));
+  EXPECT_EQ(frame->total_particles, 3000U);
+  ASSERT_EQ(frame->particles.size(), 1000U);
+  EXPECT_NEAR(frame->particles[999].position.x(), 9.99F, 1e-4F);  // a step of the 10 m box is 0.15 mm
+  EXPECT_NEAR(frame->box.max.x(), 9.99, 1e-4);
+  ASSERT_EQ(frame->bodies.size(), 1U);
+  const BodyState& body = frame->bodies[0];
+  EXPECT_EQ(body.body, 1U);
+  EXPECT_EQ(body.position, Eigen::Vector3d(10.0, 20.0, 0.75));
+  EXPECT_LT(body.orientation.angularDistance(Eigen::Quaterniond(0.8, 0.0, 0.0, 0.6)), 1e-7);  // acos near 1
+  EXPECT_EQ(body.velocity, Eigen::Vector3d(1.0, 2.0, 3.0));
+  EXPECT_TRUE(body.angular_velocity.isApprox(Eigen::Vector3d(0.1, 0.2, 0.3), kRounding));
+  EXPECT_EQ(body.health, PoseHealth::kFresh);
+  EXPECT_DOUBLE_EQ(body.pose_age, 0.02);
+}
+
+TEST_F(Loopback, EveryFrameReachesAReaderThatKeepsUp) {
+  start();
+  constexpr std::uint64_t kFrames = 60;
+  for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
+    auto received = pass(frame, 2000);
+    ASSERT_TRUE(received);
+    ASSERT_EQ(received->frame, frame);
+    receiver_->recycle(std::move(received));
+  }
+  EXPECT_EQ(receiver_->counters().received, kFrames);
+  EXPECT_EQ(receiver_->counters().missed, 0U);
+  EXPECT_EQ(receiver_->counters().refused, 0U);
+  // The publisher counts a frame after it has been written, which may be after it has arrived.
+  EXPECT_TRUE(eventually([this] { return publisher_->counters().published == kFrames; }));
+  EXPECT_EQ(publisher_->counters().dropped, 0U);
+}
+
+TEST_F(Loopback, EmptyFrameIsAFrame) {
+  start();
+  const auto frame = pass(0, 0);
+  ASSERT_TRUE(frame);
+  EXPECT_TRUE(frame->particles.empty());
+  EXPECT_EQ(frame->bodies.size(), 1U);
+}
+
+TEST_F(Loopback, LateViewerGetsTheScene) {
+  start();
+  ASSERT_TRUE(pass(0, 10));
+  const FrameReceiver late(test_settings());
+  ASSERT_TRUE(eventually([&] { return late.scene_info().has_value(); }));
+  EXPECT_TRUE(eventually([&] { return late.server_alive(); }));
+  EXPECT_EQ(late.scene_revision(), 1U);
+  const SceneInfo sent = test_scene();
+  const SceneInfo info = *late.scene_info();
+  EXPECT_EQ(info.scene, sent.scene);
+  EXPECT_EQ(info.build, sent.build);
+  EXPECT_EQ(info.seed, sent.seed);
+  EXPECT_EQ(info.frame_interval, sent.frame_interval);
+  EXPECT_EQ(info.particle_spacing, sent.particle_spacing);
+  EXPECT_EQ(info.water_level, sent.water_level);
+  EXPECT_EQ(info.tank.min, sent.tank.min);
+  EXPECT_EQ(info.tank.max, sent.tank.max);
+  EXPECT_EQ(info.tank_walls_visible, sent.tank_walls_visible);
+  EXPECT_EQ(info.origin.latitude_deg, sent.origin.latitude_deg);
+  EXPECT_EQ(info.origin.longitude_deg, sent.origin.longitude_deg);
+  EXPECT_EQ(info.origin.height, sent.origin.height);
+  ASSERT_EQ(info.far_sea.size(), 2U);
+  EXPECT_EQ(info.far_sea[1].amplitude, sent.far_sea[1].amplitude);
+  EXPECT_EQ(info.far_sea[1].wavenumber, sent.far_sea[1].wavenumber);
+  EXPECT_EQ(info.far_sea[1].omega, sent.far_sea[1].omega);
+  EXPECT_EQ(info.far_sea[1].direction, sent.far_sea[1].direction);
+  EXPECT_EQ(info.far_sea[1].phase, sent.far_sea[1].phase);
+  ASSERT_EQ(info.bodies.size(), 1U);
+  EXPECT_EQ(info.bodies[0].id, 1U);
+  EXPECT_EQ(info.bodies[0].name, "own ship");
+  EXPECT_EQ(info.bodies[0].mesh_file, "hull.obj");
+  EXPECT_EQ(info.bodies[0].mesh_scale, 0.5);
+}
+
+TEST_F(Loopback, ServerThatEndsIsNoticed) {
+  start();
+  ASSERT_TRUE(eventually([this] { return receiver_->server_alive(); }));
+  publisher_.reset();
+  EXPECT_TRUE(eventually([this] { return !receiver_->server_alive(); }));
+}
+
+TEST_F(Loopback, RestartedServerIsFollowed) {
+  start();
+  ASSERT_TRUE(pass(100, 10));
+  publisher_ = std::make_unique<FramePublisher>(participant_, test_scene());
+  // Frames of the new one are taken once the old one has been silent for 2 s.
+  std::uint64_t next = 0;
+  ASSERT_TRUE(eventually([&] {
+    publisher_->submit(test_snapshot(*publisher_, next++, 10));
+    const auto frame = receiver_->take_newest();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return frame && frame->source == publisher_->source();
+  }));
+  EXPECT_TRUE(eventually([this] { return receiver_->scene_info().has_value(); }));
+}
+
+TEST_F(Loopback, StatusWindAndEventsComeThrough) {
+  start();
+  ServerStatus sent;
+  sent.scene = "tank";
+  sent.step = 900;
+  sent.frame = 30;
+  sent.simulation_time = 1.5;
+  sent.paused = true;
+  sent.real_time_factor = 0.99;
+  sent.largest_density = 1.02;
+  sent.poses_refused = 4;
+  WindSettings wind;
+  wind.velocity = wind_velocity(12.0, 270.0);  // from west: blows east
+  wind.amplitude = 2.0;
+  wind.pulse = WindPulse{10.0, 4.0};
+  sent.wind = wind;
+  sent.bodies = test_snapshot(*publisher_, 0, 0)->bodies;
+  Event event;
+  event.sequence = 1;
+  event.step = 900;
+  event.simulation_time = 1.5;
+  event.kind = "wind";
+  event.source = "station 127.0.0.1:40112";
+  event.text = "wind 12 m/s from 270";
+
+  std::vector<Event> events;
+  ASSERT_TRUE(eventually([&] {  // volatile topics: what is sent before the reader has matched is not kept for it
+    publisher_->submit_status(sent);
+    publisher_->publish_event(event);
+    const auto more = receiver_->take_events();
+    events.insert(events.end(), more.begin(), more.end());
+    return receiver_->status() && receiver_->wind() && !events.empty();
+  }));
+  const ServerStatus status = *receiver_->status();
+  EXPECT_EQ(status.scene, "tank");
+  EXPECT_EQ(status.step, 900U);
+  EXPECT_EQ(status.frame, 30U);
+  EXPECT_TRUE(status.paused);
+  EXPECT_EQ(status.real_time_factor, 0.99);
+  EXPECT_EQ(status.largest_density, 1.02);
+  EXPECT_EQ(status.poses_refused, 4U);
+  EXPECT_EQ(status.frames_published, 0U);
+  ASSERT_EQ(status.bodies.size(), 1U);
+  EXPECT_EQ(status.bodies[0].pose_age, 0.02);
+  ASSERT_TRUE(status.wind);
+  EXPECT_NEAR(status.wind->velocity.x(), 12.0, kRounding);
+  EXPECT_NEAR(receiver_->wind()->velocity.x(), 12.0, kRounding);
+  EXPECT_EQ(receiver_->wind()->amplitude, 2.0);
+  ASSERT_TRUE(receiver_->wind()->pulse);
+  EXPECT_EQ(receiver_->wind()->pulse->width, 4.0);
+  EXPECT_EQ(events[0].sequence, 1U);
+  EXPECT_EQ(events[0].kind, "wind");
+  EXPECT_EQ(events[0].source, event.source);
+  EXPECT_EQ(events[0].text, event.text);
+
+  sent.wind.reset();
+  EXPECT_TRUE(eventually([&] {
+    publisher_->submit_status(sent);
+    return !receiver_->wind().has_value();
+  }));
+}
+
+TEST_F(Loopback, BodiesMayTravelInNed) {
+  participant_ = join_dds(test_settings());
+  PublisherSettings settings;
+  settings.bodies_in_ned = true;
+  publisher_ = std::make_unique<FramePublisher>(participant_, test_scene(), settings);
+  receiver_ = std::make_unique<FrameReceiver>(test_settings());
+  ASSERT_TRUE(eventually([this] { return publisher_->viewers() == 1; }));
+  const auto frame = pass(0, 1);
+  ASSERT_TRUE(frame);
+  ASSERT_EQ(frame->bodies.size(), 1U);
+  EXPECT_TRUE(frame->bodies[0].position.isApprox(Eigen::Vector3d(10.0, 20.0, 0.75), kRounding));
+  EXPECT_TRUE(frame->bodies[0].angular_velocity.isApprox(Eigen::Vector3d(0.1, 0.2, 0.3), kRounding));
+}
+
+TEST_F(Loopback, PublisherDropsTheOldestAndRecycles) {
+  participant_ = join_dds(test_settings());
+  publisher_ = std::make_unique<FramePublisher>(participant_, test_scene());
+  for (std::uint64_t frame = 0; frame < 500; ++frame) publisher_->submit(test_snapshot(*publisher_, frame, 5000));
+  ASSERT_TRUE(eventually([this] {
+    const PublisherCounters counters = publisher_->counters();
+    return counters.published + counters.dropped == 500;
+  }));
+  EXPECT_GE(publisher_->counters().published, 1U);
+  EXPECT_EQ(publisher_->counters().failed, 0U);
+  const auto reused = publisher_->acquire();
+  EXPECT_GE(reused->particles.capacity(), 5000U);
+  EXPECT_TRUE(reused->particles.empty());
+  EXPECT_TRUE(reused->bodies.empty());
+}
+
+TEST_F(Loopback, UnfitParticlesAreCountedAndTheFrameGoesOn) {
+  start();
+  auto snapshot = test_snapshot(*publisher_, 0, 10);
+  snapshot->particles[3].position.x() = std::numeric_limits<float>::quiet_NaN();
+  publisher_->submit(std::move(snapshot));
+  ASSERT_TRUE(receiver_->wait_for_frame(kPatience));
+  EXPECT_EQ(receiver_->take_newest()->particles.size(), 9U);
+  EXPECT_TRUE(eventually([this] { return publisher_->counters().refused_particles == 1; }));
+}
+
+/// A writer that sends frames as they must not be.
+class HostileWriter : public testing::Test {
+ protected:
+  void SetUp() override {
+    participant_ = join_dds(test_settings());
+    writer_ = std::make_unique<DdsWriter>(*participant_, topics::ocean_frame());
+    receiver_ = std::make_unique<FrameReceiver>(test_settings());
+    ASSERT_TRUE(eventually([this] { return writer_->matched_readers() == 1; }));
+    payload_.assign(100 * kRecordBytes, 7);
+    body_ = wire::to_wire(BodyState{}, pelagos_FRAME_ENU);
+    sample_.source = 99;
+    sample_.box_size = {1.0F, 1.0F, 1.0F};
+    sample_.particle_spacing = 0.5F;
+    sample_.count = 100;
+    sample_.record_bytes = kRecordBytes;
+    sample_.payload._buffer = payload_.data();
+    sample_.payload._length = sample_.payload._maximum = static_cast<std::uint32_t>(payload_.size());
+    sample_.bodies._buffer = &body_;
+    sample_.bodies._length = sample_.bodies._maximum = 1;
+  }
+
+  void expect_refused(const pelagos_OceanFrameV1& sample, const char* what) {
+    const std::uint64_t before = receiver_->counters().refused;
+    ASSERT_TRUE(writer_->write(&sample));
+    EXPECT_TRUE(eventually([&] { return receiver_->counters().refused == before + 1; })) << what;
+    EXPECT_EQ(receiver_->take_newest(), nullptr) << what;
+  }
+
+  std::shared_ptr<DdsParticipant> participant_;
+  std::unique_ptr<DdsWriter> writer_;
+  std::unique_ptr<FrameReceiver> receiver_;
+  std::vector<std::uint8_t> payload_;
+  pelagos_BodyStateV1 body_{};
+  pelagos_OceanFrameV1 sample_{};
+};
+
+TEST_F(HostileWriter, FramesWithFaultsAreRefusedAndCounted) {
+  const auto with = [this](auto&& change) {
+    pelagos_OceanFrameV1 sample = sample_;
+    change(sample);
+    return sample;
+  };
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  expect_refused(with([](auto& s) { s.payload._length -= 1; }), "short payload");
+  expect_refused(with([](auto& s) { s.payload._length = 0; }), "no payload");
+  expect_refused(with([](auto& s) { s.count = 99; }), "count too small");
+  expect_refused(with([](auto& s) { s.count = 0xFFFFFFFF; }), "count too large");
+  expect_refused(with([](auto& s) { s.record_bytes = 16; }), "other records");
+  expect_refused(with([](auto& s) { s.box_size.x = kNaN; }), "NaN box");
+  expect_refused(with([](auto& s) { s.box_size.y = -1.0F; }), "negative box");
+  expect_refused(with([](auto& s) { s.particle_spacing = 0.0F; }), "no spacing");
+  expect_refused(with([](auto& s) { s.largest_speed = 1e30F; }), "absurd speed");
+  expect_refused(with([](auto& s) { s.origin.z = kNaN; }), "NaN origin");
+  body_.position.x = kNaN;
+  expect_refused(sample_, "NaN body");
+  body_ = wire::to_wire(BodyState{}, pelagos_FRAME_ENU);
+  ASSERT_TRUE(writer_->write(&sample_));
+  EXPECT_TRUE(receiver_->wait_for_frame(kPatience)) << "a good frame after the bad ones";
+}
+
+TEST_F(HostileWriter, SecondServerIsIgnoredWhileTheFirstLives) {
+  ASSERT_TRUE(writer_->write(&sample_));
+  ASSERT_TRUE(receiver_->wait_for_frame(kPatience));
+  ASSERT_TRUE(receiver_->take_newest());
+  sample_.source = 98;
+  ASSERT_TRUE(writer_->write(&sample_));
+  EXPECT_TRUE(eventually([this] { return receiver_->counters().foreign == 1; }));
+  EXPECT_EQ(receiver_->take_newest(), nullptr);
+}
+
+}  // namespace
+}  // namespace pelagos
