@@ -1,0 +1,171 @@
+#include "rigid/mesh_query.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace pelagos {
+
+namespace {
+
+constexpr std::uint32_t kLeafTriangles = 4;
+constexpr std::size_t kDeepest = 64;  ///< of the tree: halving reaches 4 triangles after log2(n) levels
+
+/// Squared distance from a point to a triangle, by the regions of its plane (Ericson 2005, Real-Time Collision
+/// Detection, section 5.1.5).
+double squared_distance(const Eigen::Vector3d& point, const Eigen::Vector3d& corner, const Eigen::Vector3d& ab,
+                        const Eigen::Vector3d& ac) {
+  const Eigen::Vector3d ap = point - corner;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0.0 && d2 <= 0.0) return ap.squaredNorm();
+  const Eigen::Vector3d bp = ap - ab;
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0.0 && d4 <= d3) return bp.squaredNorm();
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return (ap - ab * (d1 / (d1 - d3))).squaredNorm();
+  const Eigen::Vector3d cp = ap - ac;
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0.0 && d5 <= d6) return cp.squaredNorm();
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return (ap - ac * (d2 / (d2 - d6))).squaredNorm();
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
+    return (bp - (ac - ab) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)))).squaredNorm();
+  const double scale = 1.0 / (va + vb + vc);
+  return (ap - ab * (vb * scale) - ac * (vc * scale)).squaredNorm();
+}
+
+/// Where the ray meets the triangle, as a distance along it; negative if it does not (Moeller & Trumbore 1997).
+double ray_distance(const Eigen::Vector3d& start, const Eigen::Vector3d& direction, const Eigen::Vector3d& corner,
+                    const Eigen::Vector3d& edge1, const Eigen::Vector3d& edge2) {
+  const Eigen::Vector3d p = direction.cross(edge2);
+  const double determinant = edge1.dot(p);
+  if (determinant == 0.0) return -1.0;
+  const Eigen::Vector3d s = start - corner;
+  const double u = s.dot(p) / determinant;
+  if (u < 0.0 || u > 1.0) return -1.0;
+  const Eigen::Vector3d q = s.cross(edge1);
+  const double v = direction.dot(q) / determinant;
+  if (v < 0.0 || u + v > 1.0) return -1.0;
+  return edge2.dot(q) / determinant;
+}
+
+bool ray_meets_box(const Eigen::Vector3d& start, const Eigen::Vector3d& inverse, const Eigen::AlignedBox3d& box) {
+  const Eigen::Array3d near = (box.min() - start).array() * inverse.array();
+  const Eigen::Array3d far = (box.max() - start).array() * inverse.array();
+  const double enter = near.min(far).maxCoeff(), leave = near.max(far).minCoeff();
+  return leave >= std::max(enter, 0.0);
+}
+
+}  // namespace
+
+MeshQuery::MeshQuery(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  nodes_.emplace_back();
+  triangles_.reserve(order.size());
+  if (!order.empty()) build(0, 0, static_cast<std::uint32_t>(order.size()), order, mesh);
+  for (const std::uint32_t t : order)
+    triangles_.push_back(
+        {mesh.corner(t, 0), mesh.corner(t, 1) - mesh.corner(t, 0), mesh.corner(t, 2) - mesh.corner(t, 0)});
+  box_ = nodes_[0].box;
+}
+
+void MeshQuery::build(std::uint32_t node, std::uint32_t begin, std::uint32_t end, std::vector<std::uint32_t>& order,
+                      const TriangleMesh& mesh) {
+  const auto centre = [&](std::uint32_t t) {
+    return Eigen::Vector3d(mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2));
+  };
+  Eigen::AlignedBox3d box, centres;
+  for (std::uint32_t n = begin; n < end; ++n) {
+    for (std::size_t c = 0; c < 3; ++c) box.extend(mesh.corner(order[n], c));
+    centres.extend(centre(order[n]));
+  }
+  // A hair of margin, so that rounding in the ray test never misses a triangle that lies in the box's face.
+  const double margin = 1e-12 * box.sizes().maxCoeff();
+  nodes_[node].box = Eigen::AlignedBox3d(box.min().array() - margin, box.max().array() + margin);
+  if (end - begin <= kLeafTriangles) {
+    nodes_[node].first = begin;
+    nodes_[node].count = end - begin;
+    return;
+  }
+  Eigen::Index axis = 0;
+  centres.sizes().maxCoeff(&axis);
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end,
+                   [&](std::uint32_t a, std::uint32_t b) {
+                     const double za = centre(a)[axis], zb = centre(b)[axis];
+                     return za != zb ? za < zb : a < b;
+                   });
+  const auto child = static_cast<std::uint32_t>(nodes_.size());
+  nodes_[node].first = child;
+  nodes_.resize(nodes_.size() + 2);
+  build(child, begin, middle, order, mesh);
+  build(child + 1, middle, end, order, mesh);
+}
+
+double MeshQuery::distance(const Eigen::Vector3d& point, double limit) const {
+  double nearest = limit * limit;
+  std::array<std::uint32_t, kDeepest> stack{};
+  std::size_t depth = 0;
+  if (!triangles_.empty()) stack[depth++] = 0;
+  while (depth > 0) {
+    const Node& node = nodes_[stack[--depth]];
+    if (node.box.squaredExteriorDistance(point) >= nearest) continue;
+    for (std::uint32_t t = node.first; t < node.first + node.count; ++t)
+      nearest =
+          std::min(nearest, squared_distance(point, triangles_[t].corner, triangles_[t].edge1, triangles_[t].edge2));
+    if (node.count > 0) continue;
+    const bool second_nearer = nodes_[node.first + 1].box.squaredExteriorDistance(point) <
+                               nodes_[node.first].box.squaredExteriorDistance(point);
+    stack[depth++] = node.first + (second_nearer ? 0 : 1);
+    stack[depth++] = node.first + (second_nearer ? 1 : 0);
+  }
+  return std::sqrt(nearest);
+}
+
+template <class Visit>
+void MeshQuery::for_each_hit(const Eigen::Vector3d& start, const Eigen::Vector3d& direction, Visit&& visit) const {
+  // A tiny number for zero keeps the box test free of 0 * infinity.
+  const Eigen::Vector3d inverse = direction.unaryExpr([](double c) { return 1.0 / (c == 0.0 ? 1e-300 : c); });
+  std::array<std::uint32_t, kDeepest> stack{};
+  std::size_t depth = 0;
+  if (!triangles_.empty()) stack[depth++] = 0;
+  while (depth > 0) {
+    const Node& node = nodes_[stack[--depth]];
+    if (!ray_meets_box(start, inverse, node.box)) continue;
+    for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
+      const double hit = ray_distance(start, direction, triangles_[t].corner, triangles_[t].edge1, triangles_[t].edge2);
+      if (hit >= 0.0) visit(hit);
+    }
+    if (node.count > 0) continue;
+    stack[depth++] = node.first;
+    stack[depth++] = node.first + 1;
+  }
+}
+
+double MeshQuery::first_hit(const Eigen::Vector3d& start, const Eigen::Vector3d& direction, double skip) const {
+  double first = std::numeric_limits<double>::infinity();
+  for_each_hit(start, direction, [&](double hit) {
+    if (hit > skip && hit < first) first = hit;
+  });
+  return first;
+}
+
+bool MeshQuery::inside(const Eigen::Vector3d& point) const {
+  if (!box_.contains(point)) return false;
+  static const std::array<Eigen::Vector3d, 3> kDirections{Eigen::Vector3d(0.8342, 0.3571, 0.4203).normalized(),
+                                                          Eigen::Vector3d(-0.2917, 0.8113, -0.5066).normalized(),
+                                                          Eigen::Vector3d(-0.4719, -0.3329, 0.8164).normalized()};
+  int votes = 0;
+  for (const Eigen::Vector3d& direction : kDirections) {
+    int crossings = 0;
+    for_each_hit(point, direction, [&](double) { ++crossings; });
+    votes += crossings % 2;
+  }
+  return votes >= 2;
+}
+
+}  // namespace pelagos

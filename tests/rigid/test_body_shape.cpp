@@ -1,0 +1,141 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "rigid/body_shape.hpp"
+#include "test_meshes.hpp"
+#include "waves/splitmix.hpp"
+
+namespace pelagos {
+namespace {
+
+using test::make_box;
+using test::make_sphere;
+
+double least_distance(const BodyShape& shape) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < shape.samples.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      least = std::min(least, static_cast<double>((shape.samples[i] - shape.samples[j]).norm()));
+  return least;
+}
+
+double distance_to_samples(const BodyShape& shape, const Eigen::Vector3d& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& sample : shape.samples) least = std::min(least, (sample.cast<double>() - point).norm());
+  return least;
+}
+
+TEST(BodyShape, SphereIsSampledEvenlyOnTheInsetSphere) {
+  const double d = 0.2, radius = 2.0, inset = 0.6;
+  const BodyShape shape = make_body_shape(make_sphere(radius, 48), d, inset);
+  ASSERT_TRUE(shape.faults.empty()) << shape.faults.front();
+  EXPECT_NEAR(shape.volume, 4.0 / 3 * std::numbers::pi * 8, 0.15);
+  for (const auto& sample : shape.samples)
+    EXPECT_NEAR(sample.norm(), radius - inset * d, 0.005);  // facets: r (1 - cos(pi/48)) = 0.004, and 2 % of the inset
+  EXPECT_GE(least_distance(shape), 0.82 * d - 1e-6);
+  const double area = 4 * std::numbers::pi * std::pow(radius - inset * d, 2);
+  // about one sample per d^2: the selection leaves between 0.9 and 1.15 on large smooth surfaces
+  EXPECT_NEAR(static_cast<double>(shape.samples.size()) * d * d / area, 1.0, 0.12);
+  SplitMix64 random(1);
+  for (int n = 0; n < 2000; ++n) {
+    Eigen::Vector3d direction(random.next_unit() - 0.5, random.next_unit() - 0.5, random.next_unit() - 0.5);
+    // no hole wider than the least distance plus the candidates' own spacing
+    EXPECT_LT(distance_to_samples(shape, direction.normalized() * (radius - inset * d)), (0.82 + 0.2) * d);
+  }
+}
+
+TEST(BodyShape, BoxKeepsItsSharpCornersInside) {
+  const double d = 0.25, inset = 0.6;
+  const BodyShape shape = make_body_shape(make_box({-2, -1, -0.5}, {2, 1, 1.5}), d, inset);
+  ASSERT_TRUE(shape.faults.empty());
+  EXPECT_NEAR(shape.volume, 16.0, 1e-9);
+  const Eigen::Vector3d half(2 - inset * d, 1 - inset * d, 1 - inset * d);
+  for (const auto& sample : shape.samples) {
+    const Eigen::Vector3d from_edge = half - (sample.cast<double>() - Eigen::Vector3d(0, 0, 0.5)).cwiseAbs();
+    EXPECT_NEAR(from_edge.minCoeff(), 0.0, 0.03 * d);  // on the inner box: 2 % of the inset, single precision
+    EXPECT_LT(shape.signed_distance(sample.cast<double>(), 1.0), -0.97 * inset * d);
+  }
+  // corners of the inner box are covered
+  EXPECT_LT(distance_to_samples(shape, Eigen::Vector3d(half.x(), half.y(), half.z() + 0.5)), 1.0 * d);
+  const double area = 8 * (half.x() * half.y() + half.y() * half.z() + half.z() * half.x());
+  EXPECT_NEAR(static_cast<double>(shape.samples.size()) * d * d / area, 1.0, 0.2);  // edges attract samples
+}
+
+TEST(BodyShape, ThinPlateIsSampledInItsMiddle) {
+  const double d = 0.25;
+  const BodyShape shape = make_body_shape(make_box({-2, -1, 0}, {2, 1, 0.1}), d, 0.6);
+  ASSERT_TRUE(shape.faults.empty());
+  ASSERT_GT(shape.samples.size(), 100u);
+  for (const auto& sample : shape.samples) {
+    EXPECT_NEAR(sample.z(), 0.05f, 1e-3);
+    EXPECT_TRUE(shape.inside(sample.cast<double>()));
+  }
+}
+
+TEST(BodyShape, IsTheSameEachTime) {
+  const auto mesh = make_sphere(1.0, 16);
+  const BodyShape a = make_body_shape(mesh, 0.2, 0.6), b = make_body_shape(mesh, 0.2, 0.6);
+  ASSERT_EQ(a.samples.size(), b.samples.size());
+  for (std::size_t n = 0; n < a.samples.size(); ++n) EXPECT_EQ(a.samples[n], b.samples[n]);
+}
+
+TEST(BodyShape, RefusesWhatItCannotSample) {
+  auto open = make_box({0, 0, 0}, {1, 1, 1});
+  open.triangles.pop_back();
+  EXPECT_FALSE(make_body_shape(open, 0.1, 0.6).faults.empty());
+  const BodyShape huge = make_body_shape(make_box({0, 0, 0}, {1e5, 1e5, 10}), 0.1, 0.6);
+  ASSERT_EQ(huge.faults.size(), 1u);
+  EXPECT_THAT(huge.faults[0], ::testing::HasSubstr("particle_spacing"));
+  EXPECT_FALSE(load_body_shape("/nowhere.obj", 1, 1, 0.6).faults.empty());
+}
+
+TEST(BodyShape, WithoutInsetSamplesLieOnTheSurface) {
+  const BodyShape shape = make_body_shape(make_sphere(1.0, 24), 0.2, 0.0);
+  for (const auto& sample : shape.samples) EXPECT_NEAR(sample.norm(), 1.0, 0.01);  // facets
+}
+
+TEST(PlaceSamples, MovesAsARigidBody) {
+  const BodyShape shape = make_body_shape(make_box({-1, -1, -1}, {1, 1, 1}), 0.5, 0.6);
+  BodyState state;
+  state.position = {1000, 2000, 3};
+  state.orientation = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
+  state.velocity = {1, 2, 3};
+  state.angular_velocity = {0.1, -0.2, 0.3};
+  const Eigen::Vector3d origin(990, 2000, 0);
+  std::vector<Float4> position(shape.samples.size(), {0, 0, 0, 7}), velocity(shape.samples.size());
+  place_samples(shape, state, origin, position, velocity);
+  BodyState later = state;
+  const double dt = 1e-3;
+  later.position += dt * state.velocity;
+  later.orientation =
+      Eigen::AngleAxisd(state.angular_velocity.norm() * dt, state.angular_velocity.normalized()) * state.orientation;
+  std::vector<Float4> moved = position, ignored = velocity;
+  place_samples(shape, later, origin, moved, ignored);
+  for (std::size_t n = 0; n < position.size(); ++n) {
+    EXPECT_EQ(position[n].w, 7.0f);
+    // positions near 10 m in single precision: 1e-6 / dt
+    EXPECT_NEAR((moved[n].x - position[n].x) / dt, velocity[n].x, 3e-3);
+    EXPECT_NEAR((moved[n].y - position[n].y) / dt, velocity[n].y, 3e-3);
+    EXPECT_NEAR((moved[n].z - position[n].z) / dt, velocity[n].z, 3e-3);
+  }
+}
+
+TEST(Coaster, IsWatertightAndSampledAtOneMetre) {
+  const std::string path = PELAGOS_SOURCE_DIR "/assets/meshes/coaster_hull.obj";
+  ASSERT_TRUE(std::filesystem::exists(path));
+  const BodyShape shape = load_body_shape(path, 1.0, 1.0, 0.6);
+  ASSERT_TRUE(shape.faults.empty()) << shape.faults.front();
+  EXPECT_GT(shape.volume, 0.3 * shape.bounding_box.volume());  // block coefficients of full hulls with superstructure
+  EXPECT_LT(shape.volume, shape.bounding_box.volume());
+  for (const auto& sample : shape.samples) EXPECT_TRUE(shape.inside(sample.cast<double>()));
+  EXPECT_GE(least_distance(shape), 0.82 - 1e-5);
+  RecordProperty("samples", static_cast<int>(shape.samples.size()));
+  RecordProperty("volume", std::to_string(shape.volume));
+}
+
+}  // namespace
+}  // namespace pelagos
