@@ -36,6 +36,7 @@ struct BoundaryParticles {
 /// Lanes of a group: 16 consecutive particles are worked on together.
 inline constexpr std::size_t kLanes = 16;
 
-[[nodiscard]] constexpr std::size_t padded_count(std::size_t count) { return (count + kLanes) / kLanes * kLanes; }
+/// Whole groups with at least one dummy, and one group more: whole vectors may be read from any particle on.
+[[nodiscard]] constexpr std::size_t padded_count(std::size_t count) { return ((count + kLanes) / kLanes + 1) * kLanes; }
 
 }  // namespace pelagos

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "physics/grid.hpp"
+#include "physics/particles.hpp"
+
+namespace pelagos {
+
+/// One layer of samples on the six faces of a closed box, about `spacing` apart, corners and edges once.
+[[nodiscard]] std::vector<Float4> sample_box(const Region& box, double spacing);
+
+/// Volumes of boundary samples, V_b = 1 / sum_b' W_bb' over the samples of the same body (Akinci et al. 2012, eq. 4, in
+/// volume form); written to w.
+void assign_boundary_volumes(TaskPool& pool, double support_radius, std::span<Float4> samples);
+
+/// Particles of a block of water: at spacing, 2 spacing, ... from its lower corner, size / spacing - 1 along each axis.
+[[nodiscard]] std::array<std::size_t, 3> block_particles(const std::array<double, 3>& size, double spacing);
+
+}  // namespace pelagos

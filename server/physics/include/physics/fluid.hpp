@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "physics/constraint_solve.hpp"
+#include "physics/grid.hpp"
+#include "physics/neighbor_search.hpp"
+#include "physics/neighbors.hpp"
+#include "physics/pair_passes.hpp"
+#include "physics/particles.hpp"
+#include "physics/step_report.hpp"
+#include "physics/task_pool.hpp"
+
+namespace pelagos {
+
+/// Which pressure scheme advances the water. Each is a free function in a file of its own behind advance_fluid.
+enum class Scheme {
+  kHybrid,  ///< the paper's: position-based density constraint, then divergence-free velocity
+};
+
+struct FluidParameters {
+  double spacing = 0.05;         ///< d, m
+  double support_radius = 0.1;   ///< m, 2 d
+  double rest_density = 1000.0;  ///< kg/m^3
+  double viscosity = 0.01;       ///< m^2/s
+  double gravity = 9.81;         ///< m/s^2, along -z
+  Region tank;                   ///< m, local
+  Scheme scheme = Scheme::kHybrid;
+  SolveSettings density;
+  SolveSettings divergence;
+
+  [[nodiscard]] double volume() const { return spacing * spacing * spacing; }  ///< of a particle, m^3
+};
+
+/// The water and its walls, with everything that a step reuses. Local coordinates: metres from the world's origin.
+struct FluidState {
+  FluidParameters parameters;
+  FluidParticles particles;
+  BoundaryParticles walls;       ///< static samples first (cell order), moving ones after them (cell order)
+  std::size_t static_walls = 0;  ///< how many of `walls` never move
+  std::vector<Float4> moving_position, moving_velocity;  ///< as placed by whoever moves the bodies; V_b in w
+  double last_dt = 0.0;                                  ///< s; 0 before the first step
+
+  NeighborList fluid_list, wall_list;
+  CellGrid fluid_grid, static_grid, moving_grid;
+  GradientCache gradients;
+  std::vector<float> alpha, source;
+  std::vector<Float4> wall_gradient;
+  SolveWorkspace work;
+  std::vector<std::uint32_t> order;
+  std::vector<Float4> sorted_record;
+  std::vector<float> sorted_scalar;
+  std::vector<std::uint32_t> sorted_id;
+};
+
+/// Builds the state: particles at the given local positions, at rest; walls of the tank sampled and sorted.
+[[nodiscard]] FluidState make_fluid(TaskPool& pool, const FluidParameters& parameters,
+                                    std::span<const Float4> positions);
+
+/// Advances the water by dt with the chosen scheme: predict, sort, search, constraints. The accelerations of the last
+/// step act; moving walls are read from moving_position / moving_velocity, which hold their state at the end of the
+/// step.
+void advance_fluid(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report);
+
+/// Gravity and viscosity into particles.acceleration; other forces are added by their own layers afterwards.
+void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report);
+
+/// Errors, energies, largest speed of the present state into the report. `dt` is the step just made.
+void measure_fluid(TaskPool& pool, const FluidState& state, double dt, StepReport& report);
+
+/// Position-only relaxation: moves particles until the density constraint holds, without giving them velocity. Removes
+/// the jump that a fresh lattice against sampled walls (6 % too dense) would make in its first step.
+void settle_fluid(TaskPool& pool, FluidState& state, int steps);
+
+/// The largest admissible time step for the coming step: min(max_step, cfl d / max|v + dt a|).
+[[nodiscard]] double admissible_time_step(const FluidParameters& parameters, double cfl, double max_step,
+                                          double largest_speed);
+
+/// FNV-1a over the bits of positions and velocities in particle order: equal states have equal hashes.
+[[nodiscard]] std::uint64_t state_hash(const FluidParticles& particles);
+
+}  // namespace pelagos

@@ -1,0 +1,86 @@
+#include "physics/boundary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "physics/kernel.hpp"
+#include "physics/neighbor_search.hpp"
+
+namespace pelagos {
+
+namespace {
+
+std::array<std::size_t, 3> box_intervals(const Region& box, double spacing) {
+  std::array<std::size_t, 3> intervals{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    intervals[axis] = static_cast<std::size_t>(
+        std::max(1.0, std::round((static_cast<double>(box.max[axis]) - static_cast<double>(box.min[axis])) / spacing)));
+  return intervals;
+}
+
+float coordinate(const Region& box, std::size_t axis, std::size_t k, std::size_t intervals) {
+  const double t = static_cast<double>(k) / static_cast<double>(intervals);
+  return static_cast<float>(static_cast<double>(box.min[axis]) * (1.0 - t) + static_cast<double>(box.max[axis]) * t);
+}
+
+Region bounds(std::span<const Float4> points) {
+  Region region{{points[0].x, points[0].y, points[0].z}, {points[0].x, points[0].y, points[0].z}};
+  for (const Float4& p : points) {
+    const float c[3] = {p.x, p.y, p.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      region.min[axis] = std::min(region.min[axis], c[axis]);
+      region.max[axis] = std::max(region.max[axis], c[axis]);
+    }
+  }
+  return region;
+}
+
+}  // namespace
+
+std::vector<Float4> sample_box(const Region& box, double spacing) {
+  const std::array<std::size_t, 3> n = box_intervals(box, spacing);
+  std::vector<Float4> samples;
+  for (std::size_t k = 0; k <= n[2]; ++k)
+    for (std::size_t j = 0; j <= n[1]; ++j)
+      for (std::size_t i = 0; i <= n[0]; ++i) {
+        const bool inner = i > 0 && i < n[0] && j > 0 && j < n[1] && k > 0 && k < n[2];
+        if (inner) {
+          i = n[0] - 1;  // skip to the far face
+          continue;
+        }
+        samples.push_back({coordinate(box, 0, i, n[0]), coordinate(box, 1, j, n[1]), coordinate(box, 2, k, n[2]), 0});
+      }
+  return samples;
+}
+
+void assign_boundary_volumes(TaskPool& pool, double support_radius, std::span<Float4> samples) {
+  if (samples.empty()) return;
+  CellGrid grid(bounds(samples), support_radius);
+  std::vector<std::uint32_t> order;
+  grid.sort(pool, samples, order);
+  std::vector<Float4> sorted(padded_count(samples.size()), Float4{1e9F, 1e9F, 1e9F, 0});
+  for (std::size_t k = 0; k < samples.size(); ++k) sorted[k] = samples[order[k]];
+  NeighborList list;
+  const SearchSource source{&grid, sorted.data(), 0};
+  find_neighbors(pool, grid, {sorted.data(), samples.size()}, {&source, 1}, static_cast<float>(support_radius),
+                 static_cast<std::int32_t>(samples.size()), list);
+  const CubicSpline kernel(support_radius);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    double sum = 0.0;
+    for_each_neighbor(list, k, [&](std::size_t other) {
+      const Float4 &a = sorted[k], &b = sorted[other];
+      sum += static_cast<double>(kernel.value(std::hypot(a.x - b.x, a.y - b.y, a.z - b.z)));
+    });
+    samples[order[k]].w = static_cast<float>(1.0 / sum);
+  }
+}
+
+std::array<std::size_t, 3> block_particles(const std::array<double, 3>& size, double spacing) {
+  std::array<std::size_t, 3> n{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    n[axis] = static_cast<std::size_t>(std::max(0.0, std::round(size[axis] / spacing) - 1.0));
+  return n;
+}
+
+}  // namespace pelagos

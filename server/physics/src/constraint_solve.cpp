@@ -1,0 +1,195 @@
+#include "physics/constraint_solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solve_passes.hpp"
+
+namespace pelagos {
+
+namespace {
+
+constexpr std::size_t kBlock = 2048;
+/// Warm starts are dropped where the water is this much thinner than at rest.
+constexpr float kThinnest = -0.05F;
+/// Weight of the old warm start in the new one.
+constexpr float kMemory = 0.8F;
+/// Bounds of the step scale that the projected direction is tried with.
+constexpr float kSmallestStep = 0.1F, kLargestStep = 20.0F, kFirstStep = 0.7F;
+constexpr int kRestarts = 3;
+
+struct Totals {
+  double error = 0, z_image = 0, r_direction = 0, s_image = 0;
+  float longest = 3e38F;
+};
+
+/// Runs `pass(begin, end)` over blocks and adds their sums in order.
+template <class Pass>
+Totals reduce(TaskPool& pool, std::size_t count, Pass&& pass) {
+  std::vector<SolveSums> partial((count + kBlock - 1) / kBlock);
+  pool.for_each_range(count, kBlock,
+                      [&](std::size_t begin, std::size_t end) { partial[begin / kBlock] = pass(begin, end); });
+  Totals totals;
+  for (const SolveSums& sums : partial) {
+    totals.error += static_cast<double>(sums.error);
+    totals.z_image += static_cast<double>(sums.z_image);
+    totals.r_direction += static_cast<double>(sums.r_direction);
+    totals.s_image += static_cast<double>(sums.s_image);
+    totals.longest = std::min(totals.longest, sums.longest);
+  }
+  return totals;
+}
+
+/// One solve: the arrays and the pair passes bound together.
+class Solver {
+ public:
+  Solver(TaskPool& pool, const ConstraintProblem& problem, SolveWorkspace& work, std::uint32_t& passes)
+      : pool_(pool),
+        problem_(problem),
+        work_(work),
+        passes_(passes),
+        count_(problem.data->count),
+        arrays_{problem.alpha.data(),  problem.source.data(), work.pressure.data(),     work.residual.data(),
+                work.direction.data(), work.image.data(),     work.displacement.data(), work.trial.data()} {}
+
+  /// Pressure and displacement of the warm start (or zero), and the residual that they leave.
+  Totals start(std::span<const float> memory) {
+    const bool warm = problem_.warm_factor > 0.0F;
+    pool_.for_each_range(count_, kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const bool carry = warm && problem_.alpha[i] > 0.0F && problem_.source[i] > kThinnest;
+        work_.pressure[i] = work_.start[i] = carry ? problem_.warm_factor * memory[i] : 0.0F;
+        work_.direction[i] = work_.image[i] = 0.0F;
+        if (!warm) work_.displacement[i] = {};
+      }
+    });
+    if (warm)
+      refresh();
+    else
+      start_residuals(nullptr);
+    return judge_all();
+  }
+
+  Totals judge_all() {
+    return reduce(pool_, count_, [&](std::size_t b, std::size_t e) { return judge(b, e, arrays_); });
+  }
+  Totals direction(float beta, float step) {
+    return reduce(pool_, count_,
+                  [&](std::size_t b, std::size_t e) { return make_direction(b, e, arrays_, beta, step); });
+  }
+  /// w = -J's and q = A s: the only multiply.
+  Totals multiply() {
+    apply_pressure(pool_, *problem_.data, *problem_.cache, problem_.wall, work_.direction, work_.trial);
+    compute_rate(pool_, *problem_.data, *problem_.cache, problem_.wall, work_.trial, false, work_.image);
+    passes_ += 2;
+    return reduce(pool_, count_, [&](std::size_t b, std::size_t e) { return set_image(b, e, arrays_, arrays_.image); });
+  }
+  Totals advance(float t, float inverse_step) {
+    return reduce(pool_, count_, [&](std::size_t b, std::size_t e) { return move(b, e, arrays_, t, inverse_step); });
+  }
+
+  /// One damped Jacobi sweep with the accumulated pressure clamped at zero.
+  Totals jacobi(float damping) {
+    pool_.for_each_range(count_, kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        work_.pressure[i] = std::max(0.0F, work_.pressure[i] + damping * problem_.alpha[i] * work_.residual[i]);
+    });
+    refresh();
+    return judge_all();
+  }
+
+  void remember(std::span<float> memory) const {
+    pool_.for_each_range(count_, kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const float p = work_.pressure[i], start = work_.start[i];
+        memory[i] = start > 0.0F ? p + kMemory * (start - p) : p;
+      }
+    });
+  }
+
+  [[nodiscard]] double mean_error(const Totals& totals) const { return totals.error / static_cast<double>(count_); }
+
+ private:
+  /// u = -J'p and r = b + J u for the present p.
+  void refresh() {
+    apply_pressure(pool_, *problem_.data, *problem_.cache, problem_.wall, work_.pressure, work_.displacement);
+    compute_rate(pool_, *problem_.data, *problem_.cache, problem_.wall, work_.displacement, false, work_.residual);
+    passes_ += 2;
+    start_residuals(work_.residual.data());
+  }
+  void start_residuals(const float* rate) {
+    pool_.for_each_range(count_, kBlock,
+                         [&](std::size_t begin, std::size_t end) { start_residual(begin, end, arrays_, rate); });
+  }
+
+  TaskPool& pool_;
+  const ConstraintProblem& problem_;
+  SolveWorkspace& work_;
+  std::uint32_t& passes_;
+  std::size_t count_;
+  SolveArrays arrays_;
+};
+
+SolveReport iterate_conjugate_gradient(Solver& solver, const SolveSettings& settings, Totals state) {
+  SolveReport report;
+  float step = kFirstStep;
+  double last_s_image = 0.0;
+  for (int restarts = 0;;) {
+    report.residual = solver.mean_error(state);
+    if (report.residual < settings.tolerance && report.iterations >= settings.min_iterations) break;
+    if (report.iterations >= settings.max_iterations) break;
+    // Conjugate to the last actual move.
+    const double beta = last_s_image > 0.0 ? -state.z_image / last_s_image : 0.0;
+    const Totals direction = solver.direction(static_cast<float>(beta), step);
+    if (!(direction.r_direction > 0.0)) {
+      if (last_s_image == 0.0 || ++restarts > kRestarts) break;  // nothing left to gain
+      last_s_image = 0.0;
+      continue;
+    }
+    const Totals product = solver.multiply();
+    if (!(product.s_image > 0.0)) break;
+    const float exact = static_cast<float>(direction.r_direction / product.s_image);
+    const float t = std::min(exact, std::max(1.0F, direction.longest));
+    state = solver.advance(t, 1.0F / step);
+    last_s_image = product.s_image / (static_cast<double>(step) * static_cast<double>(step));
+    step = std::clamp(step * t, kSmallestStep, kLargestStep);
+    ++report.iterations;
+  }
+  return report;
+}
+
+SolveReport iterate_jacobi(Solver& solver, const SolveSettings& settings, Totals state) {
+  SolveReport report;
+  for (;;) {
+    report.residual = solver.mean_error(state);
+    if (report.residual < settings.tolerance && report.iterations >= settings.min_iterations) break;
+    if (report.iterations >= settings.max_iterations) break;
+    state = solver.jacobi(static_cast<float>(settings.jacobi_damping));
+    ++report.iterations;
+  }
+  return report;
+}
+
+}  // namespace
+
+SolveReport solve_constraint(TaskPool& pool, const ConstraintProblem& problem, const SolveSettings& settings,
+                             std::span<float> memory, SolveWorkspace& work, std::uint32_t& pair_passes) {
+  const std::size_t padded = padded_count(problem.data->count);
+  for (std::vector<float>* v : {&work.pressure, &work.start, &work.residual, &work.direction, &work.image})
+    v->resize(padded, 0.0F);
+  // The far dummy carries no pressure and does not move.
+  for (std::size_t i = problem.data->count; i < padded; ++i)
+    work.pressure[i] = work.start[i] = work.residual[i] = work.direction[i] = work.image[i] = 0.0F;
+  work.displacement.resize(padded);
+  work.trial.resize(padded);
+  Solver solver(pool, problem, work, pair_passes);
+  const Totals first = solver.start(memory);
+  SolveReport report = settings.method == SolveMethod::kConjugateGradient
+                           ? iterate_conjugate_gradient(solver, settings, first)
+                           : iterate_jacobi(solver, settings, first);
+  report.converged = report.residual < settings.tolerance;
+  solver.remember(memory);
+  return report;
+}
+
+}  // namespace pelagos

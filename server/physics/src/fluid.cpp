@@ -1,0 +1,137 @@
+#include "physics/fluid.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+
+#include "fluid_stages.hpp"
+#include "physics/boundary.hpp"
+#include "solve_passes.hpp"
+
+namespace pelagos {
+
+namespace {
+
+constexpr Float4 kFarRecord{1e9F, 1e9F, 1e9F, 0.0F};
+
+void place_particles(FluidParticles& p, std::span<const Float4> positions) {
+  p.count = positions.size();
+  const std::size_t padded = padded_count(p.count);
+  p.position.assign(padded, kFarRecord);
+  std::copy(positions.begin(), positions.end(), p.position.begin());
+  p.velocity.assign(padded, {});
+  p.acceleration.assign(padded, {});
+  p.density.assign(padded, 0.0F);
+  p.density_pressure.assign(padded, 0.0F);
+  p.divergence_pressure.assign(padded, 0.0F);
+  p.id.resize(padded);
+  for (std::size_t i = 0; i < padded; ++i) p.id[i] = static_cast<std::uint32_t>(i);
+}
+
+void place_tank(TaskPool& pool, FluidState& state) {
+  std::vector<Float4> samples = sample_box(state.parameters.tank, state.parameters.spacing);
+  assign_boundary_volumes(pool, state.parameters.support_radius, samples);
+  state.static_grid.sort(pool, samples, state.order);
+  BoundaryParticles& walls = state.walls;
+  walls.count = state.static_walls = samples.size();
+  walls.position.assign(padded_count(walls.count), kFarRecord);
+  walls.velocity.assign(padded_count(walls.count), {});
+  for (std::size_t k = 0; k < walls.count; ++k) walls.position[k] = samples[state.order[k]];
+}
+
+/// The tank and one support radius around it.
+Region grid_region(const FluidParameters& parameters) {
+  Region region = parameters.tank;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    region.min[axis] -= static_cast<float>(parameters.support_radius);
+    region.max[axis] += static_cast<float>(parameters.support_radius);
+  }
+  return region;
+}
+
+}  // namespace
+
+FluidState make_fluid(TaskPool& pool, const FluidParameters& parameters, std::span<const Float4> positions) {
+  FluidState state;
+  state.parameters = parameters;
+  const Region region = grid_region(parameters);
+  state.fluid_grid = state.static_grid = state.moving_grid = CellGrid(region, parameters.support_radius);
+  place_particles(state.particles, positions);
+  place_tank(pool, state);
+  const std::size_t padded = padded_count(state.particles.count);
+  state.alpha.assign(padded, 0.0F);
+  state.source.assign(padded, 0.0F);
+  state.wall_gradient.assign(padded, {});
+  return state;
+}
+
+void advance_fluid(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report) {
+  assert(dt > 0.0);
+  report.dt = dt;
+  switch (state.parameters.scheme) {
+    case Scheme::kHybrid:
+      advance_hybrid(pool, state, dt, clock, report);
+      break;
+  }
+  state.last_dt = dt;
+}
+
+void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report) {
+  const FluidParameters& q = state.parameters;
+  compute_acceleration(pool, pair_data(state), state.particles.velocity, static_cast<float>(q.viscosity),
+                       static_cast<float>(q.gravity), state.particles.acceleration);
+  ++report.pair_passes;
+}
+
+void measure_fluid(TaskPool& pool, const FluidState& state, double dt, StepReport& report) {
+  const FluidParticles& p = state.particles;
+  StateArrays arrays{p.position.data(), p.velocity.data(), p.acceleration.data(), p.density.data(), {}, {}};
+  std::copy_n(state.parameters.tank.min, 3, arrays.min);
+  std::copy_n(state.parameters.tank.max, 3, arrays.max);
+  std::vector<StateSums> partial((p.count + kPointBlock - 1) / kPointBlock);
+  pool.for_each_range(p.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
+    partial[begin / kPointBlock] = measure_state(begin, end, arrays, static_cast<float>(dt));
+  });
+  double speed_squared = 0, height = 0, compression = 0;
+  float fastest = 0;
+  report.largest_density = 0;
+  report.outside = report.not_finite = 0;
+  for (const StateSums& sums : partial) {
+    speed_squared += static_cast<double>(sums.speed_squared);
+    height += static_cast<double>(sums.height);
+    compression += static_cast<double>(sums.compression);
+    fastest = std::max(fastest, sums.largest_speed_squared);
+    report.largest_density = std::max(report.largest_density, static_cast<double>(sums.largest_density));
+    report.outside += sums.outside;
+    report.not_finite += sums.not_finite;
+  }
+  const double mass = state.parameters.rest_density * state.parameters.volume();
+  report.kinetic_energy = 0.5 * mass * speed_squared;
+  report.potential_energy = mass * state.parameters.gravity * height;
+  report.density_error = compression / static_cast<double>(std::max<std::size_t>(p.count, 1));
+  report.largest_speed = std::sqrt(static_cast<double>(fastest));
+}
+
+double admissible_time_step(const FluidParameters& parameters, double cfl, double max_step, double largest_speed) {
+  if (!(largest_speed > 0.0)) return max_step;
+  return std::min(max_step, cfl * parameters.spacing / largest_speed);
+}
+
+std::uint64_t state_hash(const FluidParticles& particles) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  const auto add = [&](float value) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    for (int byte = 0; byte < 4; ++byte) hash = (hash ^ ((bits >> (8 * byte)) & 0xFFU)) * 1099511628211ULL;
+  };
+  for (std::size_t i = 0; i < particles.count; ++i)
+    for (const Float4* record : {&particles.position[i], &particles.velocity[i]}) {
+      add(record->x);
+      add(record->y);
+      add(record->z);
+    }
+  return hash;
+}
+
+}  // namespace pelagos
