@@ -121,10 +121,7 @@ void DdsEntity::reset() noexcept {
 
 DdsParticipant::DdsParticipant(const DdsSettings& settings)
     : domain_(settings.domain), logs_(static_cast<bool>(settings.log)), participant_(join_domain(settings)) {
-  if (settings.log) {
-    install_dds_log(settings.log);
-    if (const auto warning = check_receive_buffer()) settings.log(*warning);
-  }
+  if (settings.log) install_dds_log(settings.log);
 }
 
 DdsParticipant::~DdsParticipant() {

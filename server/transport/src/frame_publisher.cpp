@@ -51,6 +51,7 @@ class FramePublisher::Implementation {
         status_writer_(*participant_, topics::status()),
         wind_writer_(*participant_, topics::wind()),
         event_writer_(*participant_, topics::event()) {
+    if (const auto warning = check_receive_buffer()) log_.write(*warning);  // viewers mostly run on this machine too
     spare_.reserve(kMostSpareSnapshots);
     publish_scene_info(info);
     thread_ = std::thread([this] { run(); });

@@ -47,6 +47,7 @@ class FrameReceiver::Implementation {
         winds_(participant_, topics::wind()),
         event_reader_(participant_, topics::event()),
         waitset_(participant_) {
+    if (const auto warning = check_receive_buffer()) log_.write(*warning);
     waitset_.attach(frames_);
     waitset_.attach(scenes_, DDS_DATA_AVAILABLE_STATUS | DDS_LIVELINESS_CHANGED_STATUS);
     waitset_.attach(statuses_);

@@ -1,0 +1,192 @@
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <limits>
+#include <mutex>
+
+#include "loopback.hpp"
+#include "pelagos_dds/entities.hpp"
+#include "transport/pose_gate.hpp"
+#include "transport/pose_receiver.hpp"
+#include "wire/convert.hpp"
+#include "wire/topics.hpp"
+
+namespace pelagos {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint32_t kSender = 5;
+
+BodyPose pose_at(double time) {
+  BodyPose pose;
+  pose.body = 1;
+  pose.time = time;
+  return pose;
+}
+
+class PoseGateTest : public testing::Test {
+ protected:
+  std::optional<PoseFault> check(BodyPose pose, std::uint32_t sender = kSender, std::chrono::milliseconds later = 0ms) {
+    return gate_.check(pose, sender, start_ + later);
+  }
+  std::uint64_t refused(PoseFault fault) const { return gate_.counters().refused[static_cast<std::size_t>(fault)]; }
+
+  PoseGate gate_{{1, 2}};
+  PoseGate::Clock::time_point start_ = PoseGate::Clock::now();
+};
+
+TEST_F(PoseGateTest, GoodPosesPass) {
+  EXPECT_EQ(check(pose_at(1.0)), std::nullopt);
+  EXPECT_EQ(check(pose_at(1.1)), std::nullopt);
+  EXPECT_EQ(gate_.counters().accepted, 2U);
+  EXPECT_EQ(gate_.counters().refused_in_all(), 0U);
+}
+
+TEST_F(PoseGateTest, EachFaultIsNamedAndCounted) {
+  const auto with = [](auto&& change) {
+    BodyPose pose = pose_at(1.0);
+    change(pose);
+    return pose;
+  };
+  EXPECT_EQ(check(with([](BodyPose& p) { p.body = 3; })), PoseFault::kUnknownBody);
+  EXPECT_EQ(check(with([](BodyPose& p) { p.position.x() = kNaN; })), PoseFault::kNotFinite);
+  EXPECT_EQ(check(with([](BodyPose& p) { p.orientation.w() = kNaN; })), PoseFault::kNotFinite);
+  EXPECT_EQ(check(with([](BodyPose& p) { p.velocity.y() = std::numeric_limits<double>::infinity(); })),
+            PoseFault::kNotFinite);
+  EXPECT_EQ(check(with([](BodyPose& p) { p.angular_velocity.z() = kNaN; })), PoseFault::kNotFinite);
+  EXPECT_EQ(check(with([](BodyPose& p) { p.time = kNaN; })), PoseFault::kNotFinite);
+  EXPECT_EQ(check(with([](BodyPose& p) { p.orientation.coeffs().setZero(); })), PoseFault::kNotUnit);
+  EXPECT_EQ(check(with([](BodyPose& p) { p.orientation.w() = 1.02; })), PoseFault::kNotUnit);
+  EXPECT_EQ(check(with([](BodyPose& p) { p.orientation.w() = 1e300; })), PoseFault::kNotUnit);
+  EXPECT_EQ(check(with([](BodyPose& p) { p.position.z() = -1.1e5; })), PoseFault::kTooFar);
+  EXPECT_EQ(check(with([](BodyPose& p) { p.velocity.x() = 201.0; })), PoseFault::kTooFast);
+  EXPECT_EQ(check(with([](BodyPose& p) { p.velocity.x() = 1e300; })), PoseFault::kTooFast);
+  EXPECT_EQ(check(with([](BodyPose& p) { p.angular_velocity.x() = 21.0; })), PoseFault::kSpinsTooFast);
+  EXPECT_EQ(gate_.counters().accepted, 0U);
+  EXPECT_EQ(refused(PoseFault::kNotFinite), 5U);
+  EXPECT_EQ(refused(PoseFault::kNotUnit), 3U);
+  EXPECT_EQ(gate_.counters().refused_in_all(), 13U);
+}
+
+TEST_F(PoseGateTest, TimeMustIncreaseForEachBody) {
+  EXPECT_EQ(check(pose_at(5.0)), std::nullopt);
+  EXPECT_EQ(check(pose_at(5.0)), PoseFault::kTimeNotLater);
+  EXPECT_EQ(check(pose_at(4.9)), PoseFault::kTimeNotLater);
+  BodyPose other = pose_at(1.0);
+  other.body = 2;
+  EXPECT_EQ(check(other), std::nullopt);
+}
+
+TEST_F(PoseGateTest, RestartedSenderIsTakenAfterSilence) {
+  EXPECT_EQ(check(pose_at(500.0), kSender, 0ms), std::nullopt);
+  EXPECT_EQ(check(pose_at(0.0), kSender, 400ms), PoseFault::kTimeNotLater);
+  EXPECT_EQ(check(pose_at(0.1), kSender, 600ms), std::nullopt);
+}
+
+TEST_F(PoseGateTest, StandbySenderTakesOverAfterSilence) {
+  EXPECT_EQ(check(pose_at(1.0), 5, 0ms), std::nullopt);
+  EXPECT_EQ(check(pose_at(2.0), 6, 100ms), PoseFault::kSecondSender);
+  EXPECT_EQ(check(pose_at(1.4), 5, 400ms), std::nullopt);
+  EXPECT_EQ(check(pose_at(2.4), 6, 500ms), PoseFault::kSecondSender);
+  EXPECT_EQ(check(pose_at(3.0), 6, 1000ms), std::nullopt);
+  EXPECT_EQ(check(pose_at(3.0), 5, 1100ms), PoseFault::kSecondSender);
+}
+
+TEST_F(PoseGateTest, NearlyUnitQuaternionIsMadeUnit) {
+  BodyPose pose = pose_at(1.0);
+  pose.orientation.coeffs() *= 1.005;
+  EXPECT_EQ(gate_.check(pose, kSender, start_), std::nullopt);
+  EXPECT_NEAR(pose.orientation.norm(), 1.0, 1e-15);  // rounding
+}
+
+class PoseLoopback : public testing::Test {
+ protected:
+  void SetUp() override {
+    participant_ = join_dds(test_settings());
+    receiver_ = std::make_unique<PoseReceiver>(participant_, std::vector<std::uint32_t>{1, 2}, [this](auto line) {
+      const std::lock_guard lock(mutex_);
+      lines_.emplace_back(line);
+    });
+    own_ship_ = std::make_unique<DdsWriter>(*participant_, topics::own_ship_pose());
+    other_ = std::make_unique<DdsWriter>(*participant_, topics::body_pose());
+    ASSERT_TRUE(eventually([this] { return own_ship_->matched_readers() == 1 && other_->matched_readers() == 1; }));
+  }
+
+  bool send(const BodyPose& pose, const DdsWriter& writer) {
+    const pelagos_PoseV1 sample = wire::to_wire(pose, kSender, pelagos_FRAME_NED);
+    return writer.write(&sample);
+  }
+
+  std::mutex mutex_;
+  std::vector<std::string> lines_;
+  std::shared_ptr<DdsParticipant> participant_;
+  std::unique_ptr<DdsWriter> own_ship_;
+  std::unique_ptr<DdsWriter> other_;
+  std::unique_ptr<PoseReceiver> receiver_;
+};
+
+TEST_F(PoseLoopback, NewestPoseOfEachBodyArrivesInEnu) {
+  BodyPose own = pose_at(1.0);
+  own.position = {10.0, 20.0, 1.0};
+  BodyPose target = pose_at(1.0);
+  target.body = 2;
+  ASSERT_TRUE(send(own, *own_ship_));
+  own.time = 2.0;
+  own.position = {11.0, 20.0, 1.0};
+  ASSERT_TRUE(send(own, *own_ship_));
+  ASSERT_TRUE(send(target, *other_));
+  ASSERT_TRUE(eventually([this] { return receiver_->counters().accepted == 3; }));
+  std::vector<ReceivedPose> poses;
+  receiver_->take_newest(poses);
+  ASSERT_EQ(poses.size(), 2U);
+  EXPECT_EQ(poses[0].pose.body, 1U);
+  EXPECT_EQ(poses[0].pose.time, 2.0);
+  EXPECT_EQ(poses[0].sender, kSender);
+  EXPECT_TRUE(poses[0].pose.position.isApprox(Eigen::Vector3d(11.0, 20.0, 1.0)));
+  EXPECT_EQ(poses[1].pose.body, 2U);
+  receiver_->take_newest(poses);
+  EXPECT_TRUE(poses.empty());
+}
+
+TEST_F(PoseLoopback, BadPosesAreRefusedCountedAndLogged) {
+  BodyPose bad = pose_at(1.0);
+  bad.position.x() = kNaN;
+  ASSERT_TRUE(send(bad, *own_ship_));
+  bad = pose_at(1.0);
+  bad.body = 77;
+  ASSERT_TRUE(send(bad, *other_));
+  ASSERT_TRUE(send(pose_at(1.0), *own_ship_));
+  ASSERT_TRUE(eventually([this] { return receiver_->counters().accepted == 1; }));
+  ASSERT_TRUE(eventually([this] { return receiver_->counters().refused_in_all() == 2; }));
+  const PoseCounters counters = receiver_->counters();
+  EXPECT_EQ(counters.refused[static_cast<std::size_t>(PoseFault::kNotFinite)], 1U);
+  EXPECT_EQ(counters.refused[static_cast<std::size_t>(PoseFault::kUnknownBody)], 1U);
+  const auto logged = [this](const char* text) {
+    const std::lock_guard lock(mutex_);
+    return std::any_of(lines_.begin(), lines_.end(),
+                       [text](const std::string& line) { return line.find(text) != std::string::npos; });
+  };
+  EXPECT_TRUE(eventually([&] { return logged("body 77 from sender 5 refused"); }));
+  EXPECT_TRUE(eventually([&] { return logged("not finite"); }));
+}
+
+TEST_F(PoseLoopback, FloodWithUnknownBodiesEndsWithTheNewestPoseAndFewLines) {
+  for (std::uint32_t i = 1; i <= 10000; ++i) {
+    BodyPose noise = pose_at(i);
+    noise.body = 1000 + i;  // a new key each time: the reader's memory must stay bounded
+    (void)send(noise, *other_);
+    (void)send(pose_at(i), *own_ship_);
+  }
+  std::vector<ReceivedPose> poses;
+  EXPECT_TRUE(eventually([&] {
+    receiver_->take_newest(poses);
+    return !poses.empty() && poses.back().pose.time == 10000.0;
+  }));
+  const std::lock_guard lock(mutex_);
+  EXPECT_LE(lines_.size(), 20U);  // five for each 10 s, and a summary: two windows on a slow machine, and some more
+}
+
+}  // namespace
+}  // namespace pelagos

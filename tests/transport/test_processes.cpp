@@ -1,0 +1,108 @@
+// Viewers in other processes, over the loopback network, and what becomes of the others when one goes bad.
+#include <gmock/gmock.h>
+
+#include "child_process.hpp"
+#include "loopback.hpp"
+#include "transport/pose_receiver.hpp"
+
+namespace pelagos {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Two frames of this size are above the 500 kB at which the library's writers begin to hold back by default.
+constexpr std::size_t kParticles = 20000;
+
+class Processes : public testing::Test {
+ protected:
+  void SetUp() override {
+    participant_ = join_dds(test_settings());
+    publisher_ = std::make_unique<FramePublisher>(participant_, test_scene());
+  }
+
+  static std::unique_ptr<ChildProcess> start_reader() {
+    return std::make_unique<ChildProcess>(
+        std::vector<std::string>{PELAGOS_TEST_READER, std::to_string(test_settings().domain)});
+  }
+
+  /// Submits the next frame and gives the readers time to take it.
+  void publish_one() {
+    publisher_->submit(test_snapshot(*publisher_, next_frame_++, kParticles));
+    std::this_thread::sleep_for(5ms);
+  }
+
+  /// Publishes until each of `readers` has shown at least `frames` more frames.
+  bool publish_until_seen(const std::vector<ChildProcess*>& readers, int frames) {
+    std::vector<int> seen(readers.size(), 0);
+    return eventually([&] {
+      publish_one();
+      bool all = true;
+      for (std::size_t i = 0; i < readers.size(); ++i) {
+        const std::string text = readers[i]->read_output(0ms);
+        for (std::size_t at = text.find("frame "); at != std::string::npos; at = text.find("frame ", at + 1)) ++seen[i];
+        all = all && seen[i] >= frames;
+      }
+      return all;
+    });
+  }
+
+  std::shared_ptr<DdsParticipant> participant_;
+  std::unique_ptr<FramePublisher> publisher_;
+  std::uint64_t next_frame_ = 0;
+};
+
+TEST_F(Processes, KilledViewerDisturbsNobody) {
+  const auto victim = start_reader();
+  const auto witness = start_reader();
+  ASSERT_TRUE(publish_until_seen({victim.get(), witness.get()}, 5));
+  victim->signal(SIGKILL);
+  EXPECT_EQ(victim->wait_for_end(), 128 + SIGKILL);
+  // The dead one stays matched for up to 10 s: the frames of these are written to it as well.
+  EXPECT_TRUE(publish_until_seen({witness.get()}, 50));
+  EXPECT_EQ(publisher_->counters().failed, 0U);
+}
+
+TEST_F(Processes, StoppedViewerDisturbsNobodyAndComesBack) {
+  const auto sleeper = start_reader();
+  const auto witness = start_reader();
+  ASSERT_TRUE(publish_until_seen({sleeper.get(), witness.get()}, 5));
+  sleeper->signal(SIGSTOP);
+  (void)sleeper->read_output(0ms);  // what it had printed before
+  EXPECT_TRUE(publish_until_seen({witness.get()}, 50));
+  EXPECT_EQ(publisher_->counters().failed, 0U);
+  sleeper->signal(SIGCONT);
+  EXPECT_TRUE(publish_until_seen({sleeper.get(), witness.get()}, 5));
+}
+
+TEST_F(Processes, SlowViewerGetsNewFramesAndTheWriterGoesOn) {
+  const FrameReceiver slow(test_settings());  // never takes a frame
+  const auto witness = start_reader();
+  ASSERT_TRUE(publish_until_seen({witness.get()}, 30));
+  ASSERT_TRUE(eventually([&] { return slow.counters().received >= 10; }));
+  const ReceiverCounters counters = slow.counters();
+  EXPECT_GE(counters.replaced + 1, counters.received);
+  EXPECT_EQ(publisher_->counters().failed, 0U);
+}
+
+TEST_F(Processes, ExampleBridgeIsHeardAndEndsByItself) {
+  PoseReceiver receiver(participant_, {1});
+  ChildProcess bridge({PELAGOS_EXAMPLE_BRIDGE, "--domain", std::to_string(test_settings().domain), "--duration", "1",
+                       "--rate", "60", "--radius", "10", "--speed", "2", "--draft", "1"});
+  std::vector<ReceivedPose> poses;
+  ASSERT_TRUE(eventually([&] {
+    receiver.take_newest(poses);
+    return !poses.empty();
+  }));
+  const BodyPose& pose = poses[0].pose;
+  EXPECT_NEAR(pose.position.head<2>().norm(), 10.0, 1e-6);  // on the circle
+  EXPECT_NEAR(pose.position.z(), -1.0, 0.1 + 1e-6);         // draft and the heave's amplitude
+  EXPECT_NEAR(pose.velocity.head<2>().norm(), 2.0, 1e-3);   // differences over 2 ms
+  EXPECT_NEAR(pose.angular_velocity.z(), -0.2, 0.05);       // speed / radius, clockwise; the roll and pitch tilt it
+  // Runs along its bow, within the pitch of 1.5 degrees.
+  EXPECT_GT((pose.orientation * Eigen::Vector3d::UnitX()).dot(pose.velocity.normalized()), 0.99);
+  EXPECT_EQ(bridge.wait_for_end(), 0);
+  EXPECT_EQ(receiver.counters().refused_in_all(), 0U);
+}
+
+}  // namespace
+}  // namespace pelagos

@@ -1,0 +1,89 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "track.hpp"
+
+namespace pelagos::example {
+namespace {
+
+using testing::HasSubstr;
+
+std::optional<FileTrack> read(const std::string& text, std::string* error = nullptr) {
+  std::istringstream input(text);
+  std::string message;
+  auto track = read_track(input, "track.csv", message);
+  if (error != nullptr) *error = message;
+  return track;
+}
+
+std::string error_of(const std::string& text) {
+  std::string error;
+  EXPECT_FALSE(read(text, &error));
+  return error;
+}
+
+TEST(TrackFile, ReadsColumnsByName) {
+  const auto track = read("# a comment\nnorth, east,time,heading_deg,roll_deg,wind\n2,1,10,350,5,x\n\n4,3,12,10,7,x\n");
+  ASSERT_TRUE(track);
+  ASSERT_EQ(track->points.size(), 2U);
+  EXPECT_EQ(track->points[0].time, 0.0);  // shifted
+  EXPECT_EQ(track->points[1].time, 2.0);
+  const Track whole{*track, {}};
+  const ShipState middle = state_at(whole, 1.0);
+  EXPECT_DOUBLE_EQ(middle.east, 2.0);
+  EXPECT_DOUBLE_EQ(middle.north, 3.0);
+  EXPECT_DOUBLE_EQ(middle.heading_deg, 360.0);  // the short way from 350 to 10
+  EXPECT_DOUBLE_EQ(middle.roll_deg, 6.0);
+  EXPECT_DOUBLE_EQ(end_of(whole), 2.0);
+  for (const double time : {0.0, 1.0, 2.0}) {  // 1 m/s north and east, at the ends too
+    const NedMotion motion = motion_at(whole, time);
+    EXPECT_NEAR(motion.velocity.x(), 1.0, 1e-9) << time;  // rounding of a difference over 1 ms
+    EXPECT_NEAR(motion.velocity.y(), 1.0, 1e-9) << time;
+  }
+  EXPECT_EQ(motion_at(whole, 5.0).velocity, Eigen::Vector3d::Zero());
+}
+
+TEST(TrackFile, RefusesWithLineAndReason) {
+  EXPECT_THAT(error_of(""), HasSubstr("no waypoints"));
+  EXPECT_THAT(error_of("time,east,north\n"), HasSubstr("track.csv:1: column 'heading_deg' is missing"));
+  const std::string header = "time,east,north,heading_deg\n";
+  EXPECT_THAT(error_of(header), HasSubstr("no waypoints"));
+  EXPECT_THAT(error_of(header + "0,1,2\n"), HasSubstr("track.csv:2: 3 fields"));
+  EXPECT_THAT(error_of(header + "0,1,two,3\n"), HasSubstr("track.csv:2: north is 'two'"));
+  EXPECT_THAT(error_of(header + "0,nan,2,3\n"), HasSubstr("east is 'nan'"));
+  EXPECT_THAT(error_of(header + "0,1e6,2,3\n"), HasSubstr("allowed: a number within +-100000"));
+  EXPECT_THAT(error_of(header + "0,1,2,3\n0,1,2,3\n"), HasSubstr("track.csv:3: time must increase"));
+}
+
+TEST(OvalTrackTest, LapTakesCircumferenceOverSpeed) {
+  const double lap = 2.0 * 3.14159265358979 * 5.0 / 2.0;
+  const Track track{OvalTrack{1.0, 2.0, 5.0, 5.0, 2.0, 0.5}, {}};
+  EXPECT_NEAR(state_at(track, 0.0).north, 7.0, 1e-12);
+  EXPECT_NEAR(state_at(track, 0.0).heading_deg, 90.0, 1e-9);
+  EXPECT_NEAR(state_at(track, lap / 4.0).east, 6.0, 1e-9);
+  EXPECT_NEAR(state_at(track, lap / 4.0).heading_deg, 180.0, 1e-9);
+  EXPECT_NEAR(state_at(track, lap).east, 1.0, 1e-9);
+  EXPECT_EQ(state_at(track, 3.0).up, 0.5);
+  // Turning to starboard: positive yaw rate in NED, speed / radius. The error of the difference is of order 1e-6.
+  EXPECT_NEAR(motion_at(track, 1.0).angular_rate_body.z(), 0.4, 1e-5);
+}
+
+TEST(OvalTrackTest, SeaMotionHasItsAmplitudes) {
+  const Track track{OvalTrack{}, {0.1, 1.5, 3.0}};
+  double up = 0.0;
+  double pitch = 0.0;
+  double roll = 0.0;
+  for (double time = 0.0; time < 30.0; time += 0.01) {
+    up = std::max(up, std::abs(state_at(track, time).up));
+    pitch = std::max(pitch, std::abs(state_at(track, time).pitch_deg));
+    roll = std::max(roll, std::abs(state_at(track, time).roll_deg));
+  }
+  EXPECT_NEAR(up, 0.1, 1e-4);  // sampled every 10 ms: the peak may be missed by (pi / 6.3 * 0.01)^2
+  EXPECT_NEAR(pitch, 1.5, 1e-3);
+  EXPECT_NEAR(roll, 3.0, 1e-3);
+}
+
+}  // namespace
+}  // namespace pelagos::example
