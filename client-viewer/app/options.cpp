@@ -1,0 +1,72 @@
+#include "app/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+
+#include "version/version.hpp"
+
+namespace pelagos {
+namespace {
+
+bool read_size(const std::string& text, int& width, int& height) {
+  char rest = 0;
+  return std::sscanf(text.c_str(), "%5dx%5d%c", &width, &height, &rest) == 2 && width >= 64 && height >= 36 &&
+         width <= 8192 && height <= 8192;
+}
+
+/// The folder with meshes/ and rigs/ that belongs to this program.
+std::filesystem::path find_assets() {
+  std::error_code ignored;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const char* relative : {"../../../assets", "../share/pelagos/assets", "../assets"}) {
+    const std::filesystem::path candidate = (program / relative).lexically_normal();
+    if (std::filesystem::is_directory(candidate / "meshes", ignored)) return candidate;
+  }
+  return "assets";
+}
+
+}  // namespace
+
+std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
+  Options options;
+  std::string size = "1280x720";
+  CLI::App app{"Draws one channel of a Pelagos simulation, in a window or headless.", "pelagos-viewer"};
+  app.set_version_flag("--version", std::string("pelagos-viewer ") + kVersion);
+  app.add_option("--channel", options.channel, "channel of the rig to draw")->required();
+  app.add_option("--rig", options.rig, "rig file (default: rigs/ship_bridge.json of the assets)");
+  app.add_option("--domain", options.domain, "DDS domain")->check(CLI::Range(0, 230))->capture_default_str();
+  app.add_option("--dds-config", options.dds_config, "Cyclone DDS XML file (default: loopback of this machine)");
+  app.add_option("--assets", options.assets, "folder that holds meshes/ and rigs/");
+  const auto check_size = [](const std::string& text) -> std::string {
+    int width = 0, height = 0;
+    return read_size(text, width, height) ? "" : "is " + text + "; allowed: WIDTHxHEIGHT, 64x36 to 8192x8192";
+  };
+  app.add_option("--size", size, "pixels, WIDTHxHEIGHT")->check(check_size)->capture_default_str();
+  const std::map<std::string, Quality> qualities = {
+      {"low", Quality::kLow}, {"medium", Quality::kMedium}, {"high", Quality::kHigh}};
+  app.add_option("--quality", options.quality, "low, medium (default) or high")
+      ->transform(CLI::CheckedTransformer(qualities).description(""));
+  app.add_flag("--synthetic", options.synthetic, "draw a made-up sea with a ship, without a server");
+  auto* headless = app.add_flag("--headless", options.headless, "no window: write pictures and a report");
+  const auto add_headless = [&](const char* name, auto& value, const char* text) {
+    return app.add_option(name, value, std::string(text) + " (headless)")->needs(headless)->capture_default_str();
+  };
+  add_headless("--frames", options.frames, "end after so many frames; 0: no limit");
+  add_headless("--duration", options.duration, "end after so many seconds; 0: no limit")->check(CLI::Range(0.0, 1e6));
+  add_headless("--every", options.every, "seconds between pictures written; 0: each frame")->check(CLI::Range(0.0, 1e5));
+  add_headless("--wait", options.wait, "seconds to wait for a server")->check(CLI::Range(0.0, 1e5));
+  add_headless("--out", options.out, "folder for pictures and report");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    exit_code = app.exit(error) == 0 ? 0 : 2;
+    return std::nullopt;
+  }
+  read_size(size, options.width, options.height);
+  if (options.assets.empty()) options.assets = find_assets();
+  if (options.rig.empty()) options.rig = options.assets / "rigs" / "ship_bridge.json";
+  return options;
+}
+
+}  // namespace pelagos

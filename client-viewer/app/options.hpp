@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "renderer/renderer.hpp"
+
+namespace pelagos {
+
+/// The command line, checked.
+struct Options {
+  std::string channel;
+  std::filesystem::path rig;     ///< empty: rigs/ship_bridge.json of the assets
+  std::filesystem::path assets;  ///< holds meshes/ and rigs/
+  std::uint32_t domain = 0;
+  std::string dds_config;
+  bool headless = false;
+  bool synthetic = false;
+  std::uint64_t frames = 0;  ///< 0: no limit
+  double duration = 0.0;     ///< s; 0: no limit
+  double every = 0.0;        ///< s between pictures written; 0: each frame drawn
+  double wait = 30.0;        ///< s to wait for a server
+  std::filesystem::path out = ".";
+  int width = 1280, height = 720;
+  Quality quality = Quality::kMedium;
+};
+
+/// Reads the command line. Help, version and mistakes are printed; then there is nothing to run and `exit_code` is set.
+[[nodiscard]] std::optional<Options> read_options(int argc, char** argv, int& exit_code);
+
+}  // namespace pelagos

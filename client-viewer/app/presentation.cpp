@@ -1,0 +1,92 @@
+#include "app/presentation.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace pelagos {
+namespace {
+
+constexpr double kLongestExtrapolation = 0.2;  // s
+
+}  // namespace
+
+std::int64_t system_time_ns() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+}
+
+Presentation::Presentation(FrameSource& source, Channel channel, const RenderSettings& settings,
+                           std::filesystem::path mesh_folder)
+    : source_(source),
+      channel_(std::move(channel)),
+      settings_(settings),
+      mesh_folder_(std::move(mesh_folder)),
+      renderer_(std::make_unique<Renderer>(settings)) {}
+
+void Presentation::take_scene() {
+  const std::uint64_t revision = source_.scene_revision();
+  if (revision == scene_revision_) return;
+  const std::optional<SceneInfo> scene = source_.scene_info();
+  if (!scene) return;
+  scene_ = *scene;
+  scene_revision_ = revision;
+  for (const std::string& fault : renderer_->set_scene(scene_, mesh_folder_))
+    std::fprintf(stderr, "pelagos-viewer: %s\n", fault.c_str());
+}
+
+bool Presentation::update() {
+  take_scene();
+  std::unique_ptr<OceanFrame> newest = source_.take_newest();
+  if (!newest) return false;
+  source_.recycle(std::move(frame_));
+  frame_ = std::move(newest);
+  return true;
+}
+
+double Presentation::time_since_frame() const {
+  const std::optional<ServerStatus> status = source_.status();
+  if (status && status->paused) return 0.0;
+  const double since_received = std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_->received).count();
+  const double since_made = 1e-9 * static_cast<double>(system_time_ns() - frame_->wall_time_ns);
+  // Clocks of two machines may differ: then only the time since it came is known.
+  const bool clocks_agree = since_made >= since_received && since_made < since_received + 1.0;
+  const double rate = status ? std::clamp(status->real_time_factor, 0.0, 1.0) : 1.0;
+  return rate * std::clamp(clocks_agree ? since_made : since_received, 0.0, kLongestExtrapolation);
+}
+
+Camera Presentation::camera_or_stand_in(std::span<const BodyState> bodies) {
+  if (const auto camera = camera_for(channel_, bodies, settings_.width, settings_.height)) return *camera;
+  if (!warned_about_mount_)
+    std::fprintf(stderr, "pelagos-viewer: channel %s rides on body %u, which no frame holds; it waits at the origin\n",
+                 channel_.name.c_str(), channel_.mount.body);
+  warned_about_mount_ = true;
+  BodyState stand_in;
+  stand_in.body = channel_.mount.body;
+  stand_in.position.z() = scene_.water_level;
+  return camera_for(channel_, std::span(&stand_in, 1), settings_.width, settings_.height).value();
+}
+
+void Presentation::draw() {
+  const double ahead = time_since_frame();
+  std::vector<BodyState> bodies;
+  for (const BodyState& body : frame_->bodies) bodies.push_back(extrapolate(body, ahead));
+  SeaMoment moment;
+  moment.time = frame_->simulation_time + ahead;
+  moment.ahead = ahead;
+  moment.origin = frame_->origin;
+  moment.particles = frame_->particles;
+  moment.bodies = bodies;
+  if (const std::optional<WindSettings> wind = source_.wind()) moment.wind_speed = wind->velocity.head<2>().norm();
+  renderer_->draw(camera_or_stand_in(bodies), moment);
+}
+
+void Presentation::resize(int width, int height) {
+  if (width == settings_.width && height == settings_.height) return;
+  settings_.width = width;
+  settings_.height = height;
+  renderer_ = std::make_unique<Renderer>(settings_);
+  scene_revision_ = 0;
+  take_scene();
+}
+
+}  // namespace pelagos

@@ -1,0 +1,210 @@
+#include "channels/rig.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+namespace pelagos {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLargestFile = 1 << 20;  // bytes
+constexpr std::size_t kMostChannels = 64;
+
+/// Reads fields of one object, collects faults and remembers what was read, to name unknown fields.
+class Fields {
+ public:
+  Fields(const json& object, std::string place, std::vector<std::string>& faults)
+      : object_(object), place_(std::move(place)), faults_(faults) {}
+
+  [[nodiscard]] const json* find(const char* key) {
+    known_.insert(key);
+    const auto it = object_.find(key);
+    return it == object_.end() ? nullptr : &*it;
+  }
+  void fault(const std::string& key, const std::string& text) {
+    faults_.push_back((place_.empty() ? key : place_ + "." + key) + ": " + text);
+  }
+  void number(const char* key, double low, double high, double& value) {
+    const json* field = find(key);
+    if (field == nullptr) return;
+    const std::string allowed = "allowed: a number from " + short_text(low) + " to " + short_text(high);
+    if (!field->is_number()) return fault(key, "is " + field->dump() + "; " + allowed);
+    const double read = field->get<double>();
+    if (!(read >= low && read <= high)) return fault(key, "is " + field->dump() + "; " + allowed);
+    value = read;
+  }
+  void whole_number(const char* key, int low, int high, int& value) {
+    const json* field = find(key);
+    if (field == nullptr) return;
+    const std::string allowed = "allowed: a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+    if (!field->is_number_integer()) return fault(key, "is " + field->dump() + "; " + allowed);
+    const bool too_large = field->is_number_unsigned() && field->get<std::uint64_t>() > 0x7fffffffu;
+    if (too_large || field->get<std::int64_t>() < low || field->get<std::int64_t>() > high)
+      return fault(key, "is " + field->dump() + "; " + allowed);
+    value = field->get<int>();
+  }
+  void text(const char* key, bool required, std::string& value) {
+    const json* field = find(key);
+    if (field == nullptr) {
+      if (required) fault(key, "is missing; allowed: a name of 1 to 64 letters, digits, '-' or '_'");
+      return;
+    }
+    const bool good = field->is_string() && is_name(field->get_ref<const std::string&>());
+    if (!good) return fault(key, "is " + field->dump() + "; allowed: a name of 1 to 64 letters, digits, '-' or '_'");
+    value = field->get<std::string>();
+  }
+  void point(const char* key, double limit, Eigen::Vector3d& value) {
+    const json* field = find(key);
+    if (field == nullptr) return;
+    bool good = field->is_array() && field->size() == 3;
+    for (int i = 0; good && i < 3; ++i) {
+      const json& part = (*field)[static_cast<std::size_t>(i)];
+      good = part.is_number() && std::abs(part.get<double>()) <= limit;
+      if (good) value[i] = part.get<double>();
+    }
+    if (!good)
+      fault(key, "is " + field->dump() + "; allowed: three numbers from " + short_text(-limit) + " to " + short_text(limit));
+  }
+  void refuse_unknown() {
+    for (const auto& [key, value] : object_.items()) {
+      if (known_.contains(key)) continue;
+      std::string names;
+      for (const std::string& name : known_) names += (names.empty() ? "" : ", ") + name;
+      fault(key, "is not a field here; allowed: " + names);
+    }
+  }
+  static std::string short_text(double value) {
+    std::ostringstream out;
+    out << value;
+    return out.str();
+  }
+  static bool is_name(const std::string& name) {
+    if (name.empty() || name.size() > 64) return false;
+    for (const char c : name)
+      if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_') return false;
+    return true;
+  }
+
+ private:
+  const json& object_;
+  std::string place_;
+  std::vector<std::string>& faults_;
+  std::set<std::string> known_;
+};
+
+Mount read_mount(const json& object, const std::string& place, std::vector<std::string>& faults) {
+  Mount mount;
+  if (!object.is_object()) {
+    faults.push_back(place + ": is " + object.dump() + "; allowed: an object with body, eye, attitude, heading_deg, tilt_deg");
+    return mount;
+  }
+  Fields fields(object, place, faults);
+  int body = 0;
+  fields.whole_number("body", 0, 1'000'000, body);
+  mount.body = static_cast<std::uint32_t>(body);
+  fields.point("eye", 1e5, mount.eye);
+  fields.number("heading_deg", -360.0, 360.0, mount.heading_deg);
+  fields.number("tilt_deg", -90.0, 90.0, mount.tilt_deg);
+  if (const json* attitude = fields.find("attitude")) {
+    if (*attitude == "full")
+      mount.attitude = MountAttitude::kFull;
+    else if (*attitude == "heading")
+      mount.attitude = MountAttitude::kHeading;
+    else if (*attitude == "none")
+      mount.attitude = MountAttitude::kNone;
+    else
+      fields.fault("attitude", "is " + attitude->dump() + "; allowed: \"full\", \"heading\", \"none\"");
+  }
+  fields.refuse_unknown();
+  return mount;
+}
+
+Channel read_channel(const json& object, const std::string& place, const Mount& rig_mount,
+                     std::vector<std::string>& faults) {
+  Channel channel;
+  channel.mount = rig_mount;
+  if (!object.is_object()) {
+    faults.push_back(place + ": is " + object.dump() + "; allowed: an object with name, yaw_deg, pitch_deg, ...");
+    return channel;
+  }
+  Fields fields(object, place, faults);
+  fields.text("name", true, channel.name);
+  fields.number("yaw_deg", -360.0, 360.0, channel.yaw_deg);
+  fields.number("pitch_deg", -90.0, 90.0, channel.pitch_deg);
+  fields.number("horizontal_fov_deg", 1.0, 120.0, channel.horizontal_fov_deg);
+  fields.whole_number("guard_px", 0, 512, channel.guard_px);
+  if (const json* mount = fields.find("mount")) channel.mount = read_mount(*mount, place + ".mount", faults);
+  fields.refuse_unknown();
+  return channel;
+}
+
+void read_channels(const json& list, const Mount& mount, Rig& rig, std::vector<std::string>& faults) {
+  if (!list.is_array() || list.empty() || list.size() > kMostChannels) {
+    faults.push_back("channels: allowed: a list of 1 to " + std::to_string(kMostChannels) + " channels");
+    return;
+  }
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string place = "channels[" + std::to_string(i) + "]";
+    rig.channels.push_back(read_channel(list[i], place, mount, faults));
+    const std::string& name = rig.channels.back().name;
+    if (!name.empty() && !names.insert(name).second)
+      faults.push_back(place + ".name: is \"" + name + "\", which an earlier channel has; allowed: each name once");
+  }
+}
+
+}  // namespace
+
+const Channel* Rig::find(const std::string& channel) const {
+  for (const Channel& candidate : channels)
+    if (candidate.name == channel) return &candidate;
+  return nullptr;
+}
+
+std::string Rig::channel_names() const {
+  std::string names;
+  for (const Channel& channel : channels) names += (names.empty() ? "" : ", ") + channel.name;
+  return names;
+}
+
+Rig parse_rig(const std::string& text, const std::string& file_name) {
+  json root;
+  try {
+    root = json::parse(text, nullptr, true, true);  // comments are allowed
+  } catch (const json::parse_error& error) {
+    throw RigError(file_name + ": not JSON: " + error.what());
+  }
+  if (!root.is_object()) throw RigError(file_name + ": allowed: one object with name, mount, channels");
+  std::vector<std::string> faults;
+  Rig rig;
+  Fields fields(root, "", faults);
+  fields.text("name", false, rig.name);
+  Mount mount;
+  if (const json* object = fields.find("mount")) mount = read_mount(*object, "mount", faults);
+  if (const json* list = fields.find("channels"))
+    read_channels(*list, mount, rig, faults);
+  else
+    fields.fault("channels", "is missing; allowed: a list of 1 to " + std::to_string(kMostChannels) + " channels");
+  fields.refuse_unknown();
+  if (faults.empty()) return rig;
+  std::string report;
+  for (const std::string& fault : faults) report += (report.empty() ? "" : "\n") + file_name + ": " + fault;
+  throw RigError(report);
+}
+
+Rig load_rig(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text(kLargestFile + 1, '\0');
+  if (!in || !in.read(text.data(), static_cast<std::streamsize>(text.size())).eof() || in.bad()) {
+    if (in) throw RigError(file.string() + ": larger than 1 MiB, which no rig needs");
+    throw RigError(file.string() + ": cannot be read");
+  }
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return parse_rig(text, file.string());
+}
+
+}  // namespace pelagos

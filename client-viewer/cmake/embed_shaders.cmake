@@ -1,0 +1,10 @@
+# Writes OUTPUT, a C++ file that holds every file of FOLDER as text: cmake -DOUTPUT=... -DFOLDER=... -P this
+file(GLOB names RELATIVE ${FOLDER} ${FOLDER}/*)
+list(SORT names)
+set(text "// Written by embed_shaders.cmake.\n#include \"renderer/gl_objects.hpp\"\nnamespace pelagos {\nstd::string_view shader_text(std::string_view name) {\n")
+foreach(name ${names})
+  file(READ ${FOLDER}/${name} content)
+  string(APPEND text "  if (name == \"${name}\") return R\"GLSL(${content})GLSL\";\n")
+endforeach()
+string(APPEND text "  return {};\n}\n}  // namespace pelagos\n")
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,64 @@
+#include "renderer/composite.hpp"
+
+#include <cstdint>
+
+namespace pelagos {
+
+CompositePass::CompositePass(int width, int height, bool smooth_edges)
+    : composite_program_("screen.vert", "composite.frag"),
+      spray_program_("spray.vert", "spray.frag"),
+      edge_program_("screen.vert", "fxaa.frag"),
+      picture_(width, height, GL_RGBA8, GL_LINEAR, GL_CLAMP_TO_EDGE),
+      scene_inverse_(width, height, GL_R32F, GL_NEAREST, GL_CLAMP_TO_EDGE),
+      smoothed_(width, height, GL_RGBA8, GL_NEAREST, GL_CLAMP_TO_EDGE),
+      target_({&picture_, &scene_inverse_}),
+      spray_target_({&picture_}),
+      smooth_target_({&smoothed_}),
+      smooth_edges_(smooth_edges) {}
+
+void CompositePass::compose(const OpaquePass& opaque, const FarSeaPass& far_sea, const FluidPass& fluid,
+                            const DetailTextures& detail) {
+  target_.bind();
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  const Texture* textures[] = {&opaque.colour(),   &opaque.inverse_depth(), &far_sea.surface(), &fluid.surface(),
+                               &opaque.mirrored(), &detail.sky(),           &detail.ripples(),  &detail.foam()};
+  GLuint unit = 0;
+  for (const Texture* texture : textures) texture->bind(unit++);
+  composite_program_.use();
+  nothing_.bind();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void CompositePass::draw_spray(std::span<const DrawnParticle> drops, const DetailTextures& detail) {
+  if (drops.empty()) return;
+  drops_.upload(drops.data(), drops.size_bytes());
+  std::vector<std::uint32_t> indices;
+  indices.reserve(drops.size() * 6);
+  for (std::uint32_t i = 0; i < drops.size(); ++i)
+    for (const std::uint32_t corner : {0U, 1U, 3U, 0U, 3U, 2U}) indices.push_back(4 * i + corner);
+  quads_.upload(indices.data(), indices.size() * sizeof(std::uint32_t));
+  glVertexArrayElementBuffer(array_.id(), quads_.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, drops_.id());
+  spray_target_.bind();
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  scene_inverse_.bind(0);
+  detail.foam().bind(7);
+  spray_program_.use();
+  array_.bind();
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
+  glDisable(GL_BLEND);
+}
+
+void CompositePass::finish() {
+  if (!smooth_edges_) return;
+  smooth_target_.bind();
+  picture_.bind(0);
+  edge_program_.use();
+  nothing_.bind();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace pelagos

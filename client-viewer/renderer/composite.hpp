@@ -1,0 +1,35 @@
+#pragma once
+
+#include "renderer/detail_textures.hpp"
+#include "renderer/far_sea.hpp"
+#include "renderer/fluid.hpp"
+#include "renderer/gl_objects.hpp"
+#include "renderer/opaque.hpp"
+
+namespace pelagos {
+
+/// Passes 7 and 8: ship, open sea, patch and sky into one picture; spray; edge smoothing.
+class CompositePass {
+ public:
+  CompositePass(int width, int height, bool smooth_edges);
+
+  void compose(const OpaquePass& opaque, const FarSeaPass& far_sea, const FluidPass& fluid,
+               const DetailTextures& detail);
+  void draw_spray(std::span<const DrawnParticle> drops, const DetailTextures& detail);
+  void finish();
+
+  [[nodiscard]] const Texture& picture() const { return smooth_edges_ ? smoothed_ : picture_; }
+  [[nodiscard]] GLuint picture_framebuffer() const { return (smooth_edges_ ? smooth_target_ : spray_target_).id(); }
+  /// Inverse linear depth of what the picture shows; 0 for sky.
+  [[nodiscard]] const Texture& inverse_depth() const { return scene_inverse_; }
+
+ private:
+  Program composite_program_, spray_program_, edge_program_;
+  Texture picture_, scene_inverse_, smoothed_;
+  Framebuffer target_, spray_target_, smooth_target_;
+  Buffer drops_, quads_;
+  VertexArray nothing_, array_;
+  bool smooth_edges_;
+};
+
+}  // namespace pelagos

@@ -1,0 +1,42 @@
+#include "renderer/opaque.hpp"
+
+#include <algorithm>
+
+namespace pelagos {
+
+OpaquePass::OpaquePass(int width, int height)
+    : program_("opaque.vert", "opaque.frag"),
+      colour_(width, height, GL_RGBA16F, GL_LINEAR, GL_CLAMP_TO_EDGE),
+      inverse_depth_(width, height, GL_R32F, GL_NEAREST, GL_CLAMP_TO_EDGE),
+      mirrored_(std::max(width / 2, 1), std::max(height / 2, 1), GL_RGBA16F, GL_LINEAR, GL_CLAMP_TO_EDGE),
+      mirrored_depth_(mirrored_.width(), mirrored_.height(), GL_R32F, GL_NEAREST, GL_CLAMP_TO_EDGE),
+      target_({&colour_, &inverse_depth_}, true),
+      mirror_target_({&mirrored_, &mirrored_depth_}, true) {}
+
+void OpaquePass::draw(const std::vector<PlacedMesh>& meshes) {
+  draw_into(target_, meshes, false);
+  draw_into(mirror_target_, meshes, true);
+}
+
+void OpaquePass::draw_into(const Framebuffer& target, const std::vector<PlacedMesh>& meshes, bool mirror) {
+  const float nothing[4] = {0, 0, 0, 0};
+  const float far_away = 0.0F;  // depth is reversed
+  target.bind();
+  glDepthMask(GL_TRUE);
+  glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, nothing);
+  glClearNamedFramebufferfv(target.id(), GL_COLOR, 1, nothing);
+  glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &far_away);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
+  glDisable(GL_BLEND);
+  program_.use();
+  program_.set("mirror", mirror ? 1.0F : 0.0F);
+  for (const PlacedMesh& placed : meshes) {
+    program_.set_matrix3("world_from_body", placed.world_from_body.data());
+    program_.set_vector3("body_position", placed.position.data());
+    placed.mesh->draw();
+  }
+  glDisable(GL_DEPTH_TEST);
+}
+
+}  // namespace pelagos

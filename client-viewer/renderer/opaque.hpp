@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "renderer/gl_objects.hpp"
+#include "renderer/mesh.hpp"
+
+namespace pelagos {
+
+/// A mesh and where it is, relative to the eye.
+struct PlacedMesh {
+  const Mesh* mesh = nullptr;
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();
+  Eigen::Matrix3f world_from_body = Eigen::Matrix3f::Identity();
+};
+
+/// Draws rigid bodies: once as they are (colour, inverse depth) and once mirrored in the mean water level.
+class OpaquePass {
+ public:
+  OpaquePass(int width, int height);
+  void draw(const std::vector<PlacedMesh>& meshes);
+
+  [[nodiscard]] const Texture& colour() const { return colour_; }
+  [[nodiscard]] const Texture& inverse_depth() const { return inverse_depth_; }
+  [[nodiscard]] const Texture& mirrored() const { return mirrored_; }  ///< half resolution, alpha: covered
+
+ private:
+  void draw_into(const Framebuffer& target, const std::vector<PlacedMesh>& meshes, bool mirror);
+
+  Program program_;
+  Texture colour_, inverse_depth_, mirrored_, mirrored_depth_;
+  Framebuffer target_, mirror_target_;
+};
+
+}  // namespace pelagos

@@ -1,0 +1,294 @@
+#include "renderer/renderer.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/composite.hpp"
+#include "renderer/detail_textures.hpp"
+#include "renderer/far_sea.hpp"
+#include "renderer/fluid.hpp"
+#include "renderer/gl_objects.hpp"
+#include "renderer/mesh.hpp"
+#include "renderer/opaque.hpp"
+#include "renderer/view_block.hpp"
+
+namespace pelagos {
+namespace {
+
+constexpr double kGravity = 9.81;
+constexpr float kSprayThreshold = 0.5F;
+constexpr double kVisibility = 9000.0;  // m
+
+Eigen::Vector4f vector4(double x, double y, double z, double w) { return Eigen::Vector4d(x, y, z, w).cast<float>(); }
+Eigen::Vector4f vector4(const Eigen::Vector3d& v, double w) { return vector4(v.x(), v.y(), v.z(), w); }
+
+/// Main direction of the waves (unit, x east, y north); the longest waves' energy decides.
+Eigen::Vector2d main_direction(std::span<const WaveComponent> waves) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const WaveComponent& w : waves)
+    sum += static_cast<double>(w.amplitude) * w.amplitude *
+           Eigen::Vector2d(std::cos(static_cast<double>(w.direction)), std::sin(static_cast<double>(w.direction)));
+  return sum.norm() > 1e-12 ? Eigen::Vector2d(sum.normalized()) : Eigen::Vector2d::UnitX();
+}
+
+/// Wind that would raise such a sea (fully developed, Hs = 0.21 U^2 / g; Pierson & Moskowitz 1964), m/s.
+double wind_of_sea(std::span<const WaveComponent> waves) {
+  return std::sqrt(4.0 * std::sqrt(wave_variance(waves)) * kGravity / 0.21);
+}
+
+DrawnParticle drawn(const SurfaceParticle& particle, const Eigen::Vector3f& offset, float ahead) {
+  const Eigen::Vector3f centre = particle.position + ahead * particle.velocity + offset;
+  const Eigen::Quaternionf& q = particle.orientation;
+  return {{centre.x(), centre.y(), centre.z()},
+          static_cast<float>(particle.foam) / 255.0F,
+          {q.x(), q.y(), q.z(), q.w()},
+          {particle.semi_axes.x(), particle.semi_axes.y(), particle.semi_axes.z()},
+          static_cast<float>(particle.spray) / 255.0F};
+}
+
+/// Whether a sphere may touch the guarded picture.
+class Frustum {
+ public:
+  Frustum(const Camera& camera, const FluidSize& size)
+      : axes_(camera.view_from_world.cast<float>()),
+        tan_x_(static_cast<float>(size.tan_half_x)),
+        tan_y_(static_cast<float>(size.tan_half_y)),
+        slack_x_(std::sqrt(1.0F + tan_x_ * tan_x_)),
+        slack_y_(std::sqrt(1.0F + tan_y_ * tan_y_)) {}
+  [[nodiscard]] bool may_see(const float* centre, float radius) const {
+    const Eigen::Vector3f c = axes_ * Eigen::Vector3f(centre[0], centre[1], centre[2]);
+    return c.z() > -radius && std::abs(c.x()) < tan_x_ * c.z() + radius * slack_x_ &&
+           std::abs(c.y()) < tan_y_ * c.z() + radius * slack_y_;
+  }
+
+ private:
+  Eigen::Matrix3f axes_;
+  float tan_x_, tan_y_, slack_x_, slack_y_;
+};
+
+}  // namespace
+
+double fluid_scale(Quality quality) {
+  switch (quality) {
+    case Quality::kLow: return 1.0 / 3.0;
+    case Quality::kMedium: return 0.5;
+    case Quality::kHigh: return 1.0;
+  }
+  return 0.5;
+}
+
+struct Renderer::State {
+  explicit State(const RenderSettings& s)
+      : settings(s),
+        size(size_for(s)),
+        opaque(s.width, s.height),
+        far_sea(s.width, s.height, s.quality == Quality::kLow ? 1.6 : s.quality == Quality::kHigh ? 0.7 : 1.0),
+        fluid(size.width, size.height),
+        composite(s.width, s.height, s.quality != Quality::kLow) {}
+
+  static FluidSize size_for(const RenderSettings& s) {
+    Camera camera;
+    camera.width = s.width;
+    camera.height = s.height;
+    camera.guard = s.guard;
+    return fluid_size_of(camera, fluid_scale(s.quality));
+  }
+
+  void gather(const Camera& camera, const SeaMoment& moment);
+  [[nodiscard]] std::vector<PlacedMesh> place_bodies(const Camera& camera, const SeaMoment& moment) const;
+  [[nodiscard]] ViewBlock view_block(const Camera& camera, const SeaMoment& moment) const;
+  void fill_ship(ViewBlock& block, const Camera& camera, const SeaMoment& moment) const;
+  void upload_view(const ViewBlock& block) {
+    view.upload(&block, sizeof block);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, view.id());
+  }
+
+  RenderSettings settings;
+  FluidSize size;
+  Buffer view;
+  OpaquePass opaque;
+  FarSeaPass far_sea;
+  FluidPass fluid;
+  CompositePass composite;
+  std::unique_ptr<DetailTextures> detail;
+  SceneInfo scene;
+  std::map<std::uint32_t, std::unique_ptr<Mesh>> meshes;
+  std::vector<DrawnParticle> water, drops;
+  PassTimes times = {};
+};
+
+void Renderer::State::gather(const Camera& camera, const SeaMoment& moment) {
+  water.clear();
+  drops.clear();
+  const Frustum frustum(camera, fluid_size_of(camera, fluid_scale(settings.quality)));
+  const Eigen::Vector3f offset = (moment.origin - camera.eye).cast<float>();
+  const auto ahead = static_cast<float>(moment.ahead);
+  for (const SurfaceParticle& particle : moment.particles) {
+    const DrawnParticle one = drawn(particle, offset, ahead);
+    const float reach = 1.5F * std::max({one.semi_axes[0], one.semi_axes[1], one.semi_axes[2]});
+    if (frustum.may_see(one.centre, reach)) (one.spray > kSprayThreshold ? drops : water).push_back(one);
+  }
+}
+
+std::vector<PlacedMesh> Renderer::State::place_bodies(const Camera& camera, const SeaMoment& moment) const {
+  std::vector<PlacedMesh> placed;
+  for (const BodyState& body : moment.bodies) {
+    const auto mesh = meshes.find(body.body);
+    if (mesh == meshes.end()) continue;
+    placed.push_back({mesh->second.get(), (body.position - camera.eye).cast<float>(),
+                      body.orientation.toRotationMatrix().cast<float>()});
+  }
+  return placed;
+}
+
+void Renderer::State::fill_ship(ViewBlock& block, const Camera& camera, const SeaMoment& moment) const {
+  block.ship = vector4(0, 0, 1, 0);
+  block.ship_size.setZero();
+  for (const BodyState& body : moment.bodies) {
+    const auto mesh = meshes.find(body.body);
+    if (mesh == meshes.end()) continue;
+    const double heading = heading_of(body.orientation);
+    const Eigen::Vector3d forward(std::cos(heading), std::sin(heading), 0.0);
+    const double speed = body.velocity.dot(forward);
+    const double curvature = std::abs(speed) > 0.5 ? std::clamp(body.angular_velocity.z() / speed, -0.02, 0.02) : 0.0;
+    const Eigen::Vector3f& low = mesh->second->low();
+    const Eigen::Vector3f& high = mesh->second->high();
+    const Eigen::Vector3d offset = body.position - camera.eye;
+    block.ship = vector4(offset.x(), offset.y(), forward.x(), forward.y());
+    block.ship_size = vector4(0.5 * (high.x() - low.x()), 0.5 * (high.y() - low.y()), speed, curvature);
+    return;
+  }
+}
+
+ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& moment) const {
+  const FluidSize guarded = fluid_size_of(camera, fluid_scale(settings.quality));
+  ViewBlock block;
+  block.right = vector4(camera.view_from_world.row(0), camera.tan_half_x);
+  block.up = vector4(camera.view_from_world.row(1), camera.tan_half_y);
+  block.forward = vector4(camera.view_from_world.row(2), camera.focal_pixels());
+  block.size = vector4(camera.width, camera.height, 1.0 / camera.width, 1.0 / camera.height);
+  block.fluid_size = vector4(guarded.width, guarded.height, guarded.tan_half_x, guarded.tan_half_y);
+  const double spacing = scene.particle_spacing > 0.0 ? scene.particle_spacing : 1.0;
+  block.fluid = vector4(guarded.focal_pixels, spacing, 0, 0);
+  const double wind = moment.wind_speed.value_or(wind_of_sea(scene.far_sea));
+  block.level = vector4(scene.water_level - camera.eye.z(), std::fmod(moment.time, 3600.0), kVisibility,
+                        std::clamp((wind - 4.0) / 9.0, 0.0, 1.0));
+  const Eigen::Vector3d low = scene.tank.min - camera.eye, high = scene.tank.max - camera.eye;
+  block.patch_box = vector4(low.x(), low.y(), high.x(), high.y());
+  const double narrow = scene.tank.size().head<2>().minCoeff();
+  const bool present = !moment.particles.empty() && narrow > 0.0;
+  block.patch_blend = vector4(present ? 1 : 0, std::min(2.0 * spacing, 0.05 * narrow),
+                              std::min(14.0 * spacing, 0.25 * narrow), 0);
+  block.sun = vector4(Eigen::Vector3d(-0.62, -0.48, 0.62).normalized(), 1.25);
+  const Eigen::Vector2d axis = main_direction(scene.far_sea);
+  // mean square slope by Cox & Munk (1954); the three ripple layers carry 0.05 at scale 1
+  const double ripple = std::sqrt((0.003 + 0.00512 * std::min(wind, 25.0)) / 0.05);
+  block.wave_axis = vector4(axis.x(), axis.y(), ripple, wind);
+  const Eigen::Vector2d across(-axis.y(), axis.x()), eye = camera.eye.head<2>();
+  block.ripple_eye = vector4(std::fmod(axis.dot(eye), kDetailPeriod), std::fmod(across.dot(eye), kDetailPeriod),
+                             std::fmod(eye.x(), kDetailPeriod), std::fmod(eye.y(), kDetailPeriod));
+  block.ripple_shift = vector4(std::fmod(1.3 * moment.time, kDetailPeriod), std::fmod(0.22 * moment.time, kDetailPeriod),
+                               std::fmod(2.3 * moment.time, kDetailPeriod), std::fmod(-0.35 * moment.time, kDetailPeriod));
+  fill_ship(block, camera, moment);
+  return block;
+}
+
+Renderer::Renderer(const RenderSettings& settings) {
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  state_ = std::make_unique<State>(settings);
+  Camera camera;
+  camera.width = settings.width;
+  camera.height = settings.height;
+  state_->upload_view(state_->view_block(camera, {}));
+  state_->detail = std::make_unique<DetailTextures>();
+  check_graphics("the start of the renderer");
+}
+
+Renderer::~Renderer() = default;
+
+std::vector<std::string> Renderer::set_scene(const SceneInfo& scene, const std::filesystem::path& mesh_folder) {
+  std::vector<std::string> faults;
+  state_->scene = scene;
+  state_->meshes.clear();
+  for (const BodyInfo& body : scene.bodies) {
+    const std::filesystem::path file = drawn_mesh_file(mesh_folder, body.mesh_file);
+    if (file.empty()) {
+      faults.push_back("body " + std::to_string(body.id) + ": no mesh " + body.mesh_file + " in " + mesh_folder.string() +
+                       "; it is not drawn (--assets names the folder that holds meshes/)");
+      continue;
+    }
+    try {
+      state_->meshes[body.id] = std::make_unique<Mesh>(load_mesh(file, body.mesh_scale));
+    } catch (const GraphicsError& error) {
+      faults.push_back("body " + std::to_string(body.id) + ": " + error.what());
+    }
+  }
+  return faults;
+}
+
+void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
+  State& s = *state_;
+  const auto now = [] { return std::chrono::steady_clock::now(); };
+  auto last = now();
+  std::size_t pass = 0;
+  const auto pass_done = [&] {
+    if (s.settings.measure_passes) glFinish();
+    const auto time = now();
+    s.times[pass++] = std::chrono::duration<double, std::milli>(time - last).count();
+    last = time;
+  };
+  s.upload_view(s.view_block(camera, moment));
+  s.opaque.draw(s.place_bodies(camera, moment));
+  pass_done();
+  const double height = camera.eye.z() - s.scene.water_level;
+  s.far_sea.draw(camera, height, s.scene.far_sea, moment.time, 10.0 * s.scene.particle_spacing);
+  pass_done();
+  s.gather(camera, moment);
+  s.fluid.draw_particles(s.water);
+  pass_done();
+  s.fluid.smooth();
+  pass_done();
+  s.composite.compose(s.opaque, s.far_sea, s.fluid, *s.detail);
+  pass_done();
+  s.composite.draw_spray(s.drops, *s.detail);
+  s.composite.finish();
+  pass_done();
+  check_graphics("a frame");
+}
+
+std::vector<float> Renderer::draw_particle_depth(const Camera& camera, const SeaMoment& moment) {
+  State& s = *state_;
+  s.upload_view(s.view_block(camera, moment));
+  s.gather(camera, moment);
+  s.fluid.draw_particles(s.water);
+  std::vector<float> depth = read_texture(s.fluid.inverse_depth(), 1);
+  for (float& value : depth) value = value > 0.0F ? 1.0F / value : 0.0F;
+  return depth;
+}
+
+const PassTimes& Renderer::pass_times() const { return state_->times; }
+
+Picture Renderer::read_picture() const {
+  const Texture& texture = state_->composite.picture();
+  Picture picture(texture.width(), texture.height());
+  std::vector<std::uint8_t> rgba(static_cast<std::size_t>(texture.width() * texture.height()) * 4);
+  glGetTextureImage(texture.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(rgba.size()), rgba.data());
+  for (int y = 0; y < picture.height; ++y)  // OpenGL's first row is the lowest
+    for (int x = 0; x < picture.width; ++x)
+      for (int k = 0; k < 3; ++k)
+        picture.at(x, picture.height - 1 - y)[k] =
+            rgba[static_cast<std::size_t>((y * picture.width + x) * 4 + k)];
+  return picture;
+}
+
+std::vector<float> Renderer::read_depth() const {
+  std::vector<float> depth = read_texture(state_->composite.inverse_depth(), 1);
+  for (float& value : depth) value = value > 0.0F ? 1.0F / value : 0.0F;
+  return depth;
+}
+
+unsigned Renderer::picture_framebuffer() const { return state_->composite.picture_framebuffer(); }
+
+}  // namespace pelagos

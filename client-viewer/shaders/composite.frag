@@ -1,0 +1,177 @@
+// Puts ship, sea, patch and sky together. The patch joins the open sea by blending inverse depth and slopes over its rim.
+in vec2 ndc;
+layout(binding = 0) uniform sampler2D opaque_colour;
+layout(binding = 1) uniform sampler2D opaque_inverse;
+layout(binding = 2) uniform sampler2D far_sea;
+layout(binding = 3) uniform sampler2D fluid_surface;
+layout(binding = 4) uniform sampler2D mirrored;
+layout(binding = 5) uniform sampler2D sky;
+layout(binding = 6) uniform sampler2D ripples;
+layout(binding = 7) uniform sampler2D foam_pattern;
+layout(location = 0) out vec4 picture;
+layout(location = 1) out float scene_inverse;
+
+vec3 sky_colour(vec3 d, float blur) {
+  vec3 colour = textureLod(sky, sky_place(d), blur).rgb;
+  return colour;
+}
+vec3 haze_colour(vec3 d) { return clear_sky(normalize(vec3(d.xy, 0.02 * length(d.xy)))); }
+
+vec3 tone_map(vec3 c) {
+  c *= 1.05;
+  c = c * (1.0 + c / 6.0) / (1.0 + 0.55 * c);  // soft shoulder
+  return pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2));
+}
+
+// The fluid at full resolution: bilinear where its four texels lie on one surface, else the nearest texel.
+vec4 fluid_at(vec2 uv) {
+  vec4 four = textureGather(fluid_surface, uv, 0);
+  float low = min(min(four.x, four.y), min(four.z, four.w)), high = max(max(four.x, four.y), max(four.z, four.w));
+  if (high <= 0.0) return vec4(0.0);
+  if (low > 0.6 * high) return textureLod(fluid_surface, uv, 0.0);
+  return texelFetch(fluid_surface, ivec2(uv * fluid_size.xy), 0);
+}
+
+struct Detail { vec2 slope; float variance; };
+// Ripples that are anchored in the world: three sizes of one tile, drifting with the waves.
+Detail ripple_detail(vec2 p, float distance_to, float footprint) {
+  vec2 q = vec2(dot(p, wave_axis.xy), dot(p, vec2(-wave_axis.y, wave_axis.x))) + ripple_eye.xy;
+  Detail detail = Detail(vec2(0.0), 0.0);
+  float tile[3] = float[3](6.0, 240.0 / 13.0, 60.0);
+  float strength[3] = float[3](0.75, 0.85, 0.75);
+  vec2 shift[3] = vec2[3](ripple_shift.xy, ripple_shift.zw, ripple_shift.zw);
+  for (int i = 0; i < 3; ++i) {
+    float lod = log2(max(footprint * 256.0 / tile[i], 1e-3));
+    if (lod > 8.5) { detail.variance += strength[i] * strength[i] * 0.010; continue; }
+    vec2 flip = vec2(1.0, i == 1 ? -1.0 : 1.0);  // the middle layer is mirrored, so that repeats do not line up
+    vec3 texel = textureLod(ripples, flip * (q - shift[i]) / tile[i], lod).rgb;
+    vec2 s = flip * texel.xy;
+    detail.slope += strength[i] * s;
+    detail.variance += strength[i] * strength[i] * max(texel.z - dot(texel.xy, texel.xy), 0.0);
+  }
+  detail.slope *= wave_axis.z;
+  detail.variance *= wave_axis.z * wave_axis.z;
+  detail.slope = detail.slope.x * wave_axis.xy + detail.slope.y * vec2(-wave_axis.y, wave_axis.x);
+  return detail;
+}
+
+// Foam that a moving hull leaves: along its sides, two arms from the bow, and the wake along the path it came.
+float hull_foam(vec2 p) {
+  if (ship_size.y <= 0.0) return 0.0;
+  float speed = abs(ship_size.z);
+  vec2 r = p - ship.xy;
+  vec2 q = vec2(dot(r, ship.zw), dot(r, vec2(-ship.w, ship.z)));
+  float half_length = ship_size.x, half_beam = ship_size.y;
+  float along = q.x / half_length;
+  float go = smoothstep(0.3, 4.0, speed);
+  float entry = along > 0.15 ? 1.0 - pow(clamp((along - 0.15) / 0.80, 0.0, 1.0), 1.9) : 1.0;
+  float edge = abs(q.y) - half_beam * entry;
+  float beside = smoothstep(1.12, 0.9, abs(along)) * exp(-max(edge, 0.0) / (0.35 + 0.5 * go));
+  float foam = beside * (0.32 + 0.55 * go);
+  // bow arms, from the stem outwards and aft
+  float aft_of_bow = half_length * 0.94 - q.x;
+  if (aft_of_bow > -1.5) {
+    float arm = abs(q.y) - 0.4 - 0.34 * max(aft_of_bow, 0.0);
+    float width = 0.5 + 0.05 * aft_of_bow;
+    foam += go * 1.1 * exp(-arm * arm / (width * width)) * exp(-max(aft_of_bow, 0.0) / (3.0 + 2.2 * speed));
+  }
+  float astern = -q.x - half_length * 0.96;
+  if (astern > -1.0) {
+    float off = q.y - 0.5 * ship_size.w * astern * astern;
+    float width = 0.75 * half_beam + 0.06 * astern;
+    float core = exp(-pow(abs(off) / width, 3.0));
+    float rims = exp(-pow((abs(off) - width) / (0.6 + 0.03 * astern), 2.0));
+    foam += go * (0.75 * core + 0.35 * rims) * exp(-max(astern, 0.0) / (4.0 + 7.0 * speed)) * smoothstep(-1.0, 0.5, astern);
+  }
+  return foam;
+}
+
+float foam_cover(vec2 p, float amount, float footprint) {
+  if (amount < 0.01) return 0.0;
+  vec2 q = p + ripple_eye.zw;
+  float lod = max(log2(footprint * 256.0 / 15.0), 0.0);
+  float pattern = 0.6 * textureLod(foam_pattern, q / 15.0, lod).r + 0.4 * textureLod(foam_pattern, q.yx / 5.0 + 0.3, lod + 1.6).r;
+  return clamp(amount, 0.0, 1.0) * smoothstep(1.0 - 0.95 * amount, 1.35 - 0.75 * amount, pattern + 0.15);
+}
+
+vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float height, vec2 uv, float behind_inverse) {
+  vec3 p = d / inverse;
+  float distance_to = length(p);
+  float footprint_across = 1.0 / (inverse * forward.w);
+  float grazing = clamp(-p.z / distance_to, 0.01, 1.0);
+  float footprint = footprint_across * pow(grazing, -0.62);
+  Detail detail = ripple_detail(p.xy, distance_to, footprint);
+  slope += detail.slope;
+  float variance = detail.variance + 0.0008 + 0.010 * wave_axis.z * wave_axis.z * smoothstep(60.0, 900.0, distance_to);
+  vec3 n = normalize(vec3(-slope, 1.0));
+  vec3 v = -p / distance_to;
+  float facing = dot(n, v);
+  // facets seen from behind are hidden by others: tilt them to the rim
+  if (facing < 0.03) { n = normalize(n + v * (0.03 - facing)); facing = 0.03; }
+  float sigma = sqrt(variance);
+  // Fresnel of a rough sea (Bruneton, Neyret & Holzschuch 2010)
+  float fresnel = 0.02 + 0.98 * pow(1.0 - facing, 5.0 * exp(-2.69 * sigma)) / (1.0 + 22.7 * pow(sigma, 1.5));
+  vec3 r = reflect(-v, n);
+  r.z = abs(r.z) + 0.06 + 0.5 * sigma;
+  r = normalize(r);
+  vec3 reflection = sky_colour(r, 3.2 + 1.5 * smoothstep(0.0, 0.2, sigma));
+  // the ship's mirror image in the mean level, disturbed by the slopes
+  vec2 bend = vec2(dot(slope, right.xy), 0.7 * dot(slope, normalize(forward.xy + 1e-4))) * min(9.0 * inverse, 0.5);
+  vec4 image = textureLod(mirrored, uv + bend * vec2(0.30, 0.42), 0.0);
+  reflection = mix(reflection, image.rgb / max(image.a, 1e-3), image.a);
+
+  // Light that comes back out of the water, more through thin crests and where the sun stands behind them.
+  vec3 deep = vec3(0.006, 0.034, 0.058);
+  vec3 shallow = vec3(0.020, 0.145, 0.150);
+  float crest = clamp(0.30 + 0.32 * height, 0.0, 1.0);
+  float through = crest * (0.30 + 0.70 * pow(max(dot(sun.xyz, -v) * 0.5 + 0.5, 0.0), 2.0)) * clamp(0.6 + 1.2 * dot(slope, v.xy), 0.2, 1.0);
+  vec3 body = mix(deep, shallow, 0.42 * through) * (0.55 + 0.45 * sun.w * sun.z);
+  // Hull or other bodies below the surface (Beer's law)
+  if (behind_inverse > 0.0 && behind_inverse < inverse) {
+    vec2 refracted = uv + bend * 0.04;
+    if (textureLod(opaque_inverse, refracted, 0.0).r > inverse) refracted = uv;
+    float path = (1.0 / behind_inverse - 1.0 / inverse) * length(d);
+    vec3 kept = exp(-path * vec3(0.75, 0.30, 0.24));
+    body = mix(body, textureLod(opaque_colour, refracted, 0.0).rgb * vec3(0.55, 0.75, 0.75), kept);
+  }
+  vec3 colour = mix(body, reflection, fresnel);
+  // Sun glint: slopes that mirror the sun, Gaussian with the unresolved variance
+  vec3 halfway = normalize(sun.xyz + v);
+  vec2 wanted = -halfway.xy / max(halfway.z, 0.05);
+  vec2 miss = wanted + n.xy / n.z;
+  float glint_variance = variance + 0.0025;
+  float glint = exp(-0.5 * dot(miss, miss) / glint_variance) / (glint_variance * 4.0 * pow(max(halfway.z, 0.3), 4.0));
+  colour += sun.w * vec3(1.0, 0.9, 0.72) * min(glint * 0.02 * fresnel / max(facing, 0.15), 2.5) * (1.0 - image.a);
+  float white = foam_cover(p.xy, foam, footprint);
+  vec3 foam_colour = vec3(0.78, 0.82, 0.84) * (0.42 + 0.50 * sun.w * clamp(dot(n, sun.xyz), 0.0, 1.0));
+  colour = mix(colour, foam_colour, 0.93 * white);
+  float haze = 1.0 - exp(-pow(distance_to / level.z, 1.15));
+  return mix(colour, haze_colour(d), haze);
+}
+
+void main() {
+  vec2 uv = 0.5 * ndc + 0.5;
+  vec3 d = ray_through(ndc);
+  float solid = textureLod(opaque_inverse, uv, 0.0).r;
+  vec4 open_sea = textureLod(far_sea, uv, 0.0);
+  vec4 fluid_here = fluid_at(0.5 * ndc * vec2(right.w, up.w) / fluid_size.zw + 0.5);
+  float weight = fluid_here.x > 0.0 ? patch_weight(d.xy / fluid_here.x) : 0.0;
+  float water = mix(open_sea.x, fluid_here.x, weight);
+  if (open_sea.x <= 0.0) water = weight > 0.5 ? fluid_here.x : 0.0;
+  vec3 colour;
+  if (solid > water) {
+    colour = mix(textureLod(opaque_colour, uv, 0.0).rgb, haze_colour(d), 1.0 - exp(-length(d) / (solid * level.z)));
+  } else if (water > 0.0) {
+    vec2 slope = open_sea.yz + weight * fluid_here.yz;
+    vec3 p = d / water;
+    float crest_foam = level.w * smoothstep(0.42, 0.05, open_sea.w) * (1.0 - weight);
+    float foam = crest_foam + weight * fluid_here.w + hull_foam(p.xy);
+    colour = shade_water(d, water, slope, foam, p.z - level.x, uv, solid);
+  } else {
+    colour = sky_colour(normalize(d), 0.0);
+    colour = mix(colour, haze_colour(d), exp(-abs(d.z) / length(d) * 30.0));
+  }
+  scene_inverse = max(solid, water);
+  colour = tone_map(colour);
+  picture = vec4(colour, dot(colour, vec3(0.299, 0.587, 0.114)));
+}
