@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "packing/surface_particle.hpp"
+#include "physics/neighbors.hpp"
+#include "physics/particles.hpp"
+#include "physics/task_pool.hpp"
+#include "surface/anisotropy.hpp"
+#include "values/scene.hpp"
+
+namespace pelagos {
+
+/// What the surface is made from: the particles at the end of a step and the neighbour lists of that step. The lists
+/// may have been built at slightly different positions; weights use the present ones.
+struct SurfaceInput {
+  const FluidParticles& fluid;
+  const BoundaryParticles& boundary;
+  const NeighborList& fluid_neighbors;
+  const NeighborList& boundary_neighbors;            ///< boundary samples around fluid particles; may be empty
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, that positions of the result are relative to
+  double time = 0.0;                                 ///< s, simulation time; for the decay of foam
+};
+
+/// Scales that do not change during a run.
+struct SurfaceScales {
+  double spacing = 0.05;        ///< d, m, > 0
+  double support_radius = 0.1;  ///< m, > 0
+  double gravity = 9.81;        ///< m/s^2; sets the speeds at which foam arises; 9.81 is used where it is 0
+};
+
+/// How many particles were taken, and why.
+struct SurfaceCounts {
+  std::uint32_t surface = 0;     ///< off-centre in their neighbourhood, or with few neighbours
+  std::uint32_t halo = 0;        ///< near one of those
+  std::uint32_t not_finite = 0;  ///< left out: position or velocity is no number
+};
+
+/// Finds the particles that viewers need and shapes them. Owns its buffers; one extractor a simulation.
+/// The result does not depend on the number of threads: each particle's values are computed by itself, in the order of
+/// its neighbour list, and the set is in particle order.
+class SurfaceExtractor {
+ public:
+  SurfaceExtractor(const SurfaceSettings& settings, const SurfaceScales& scales);
+
+  /// First stage: which particles travel. A particle is taken where |mean neighbour position - position| / support
+  /// radius exceeds the threshold (Yu & Turk's weights, paper eq. 44 and 45, boundary samples counted as neighbours, so
+  /// that layers at walls, floor and hulls are not taken), or where it lies within `halo` spacings of one that is.
+  /// Drops, threads and sheets one particle thin, whose neighbours may surround them evenly, are taken by their number.
+  void detect(const SurfaceInput& input, TaskPool& pool);
+
+  /// Second stage: ellipsoid, velocity, foam and spray of the particles found by detect(), which must have been called
+  /// with the same input. `particles` is overwritten and keeps its capacity.
+  void shape(const SurfaceInput& input, TaskPool& pool, std::vector<SurfaceParticle>& particles);
+
+  /// Indices of the set into the fluid, ascending; valid until the next detect().
+  [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
+  [[nodiscard]] const SurfaceCounts& counts() const { return counts_; }
+
+ private:
+  void mark_halo(const SurfaceInput& input, TaskPool& pool);
+  void collect(std::size_t count);
+  [[nodiscard]] SurfaceParticle shape_particle(const SurfaceInput& input, std::size_t i);
+
+  SurfaceSettings settings_;
+  SurfaceScales scales_;
+  AnisotropySettings anisotropy_;
+  std::vector<std::uint8_t> mark_;  ///< per particle: 0 inside, 1 surface, 2 halo, 3 not finite
+  std::vector<std::uint32_t> indices_;
+  SurfaceCounts counts_;
+  struct Foam {
+    float amount = 0;  ///< 0..1 at `time`
+    float time = 0;    ///< s
+  };
+  std::vector<Foam> foam_;  ///< by particle id: foam outlives its cause
+};
+
+}  // namespace pelagos

@@ -1,0 +1,183 @@
+#include "surface/surface_extractor.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "foam.hpp"
+#include "neighborhood_kernel.hpp"
+
+namespace pelagos {
+
+namespace {
+
+enum Mark : std::uint8_t { kInside, kSurface, kHalo, kNotFinite };
+
+constexpr std::size_t kGroupsPerBlock = 32;
+constexpr std::size_t kParticlesPerBlock = 256;
+/// With fewer neighbours a particle is taken even where they surround it evenly: drops, threads and sheets one particle
+/// thin (a sheet has 10). An edge of the water has 11, its flat surface 18.
+constexpr float kFewNeighbors = 12.0f;
+
+// Foam: closing speeds in units of sqrt(g d), the speed at which particles fall past each other. Restless still water
+// stays below 0.2, the shear of unbroken waves below 0.1.
+constexpr float kFoamFrom = 0.4f, kFoamFull = 1.6f;
+constexpr float kFoamSeconds = 8.0f;                   ///< 1/e of its life, in sqrt(d/g): 2.6 s at d = 1 m
+constexpr std::uint32_t kMostRemembered = 1u << 26;    ///< ids beyond have foam without memory
+constexpr float kSprayFrom = 8.0f, kSprayFull = 2.0f;  ///< neighbours; an edge of the water has 11, a corner 7
+
+bool is_finite(const Float4& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+
+Eigen::Vector3f vector_of(const Float4& a) { return {a.x, a.y, a.z}; }
+
+std::uint8_t to_byte(float part) {
+  return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(part, 0.0f, 1.0f)));
+}
+
+/// Moments of a neighbourhood as they are summed up.
+class MomentSums {
+ public:
+  void add(const Eigen::Vector3f& way, float weight) {
+    weight_ += weight;
+    first_ += weight * way;
+    second_ += weight * way * way.transpose();
+  }
+  [[nodiscard]] Neighborhood moments() const {
+    Neighborhood result;
+    result.weight = weight_;
+    result.mean = first_ / weight_;
+    result.covariance = second_ / weight_ - result.mean * result.mean.transpose();
+    return result;
+  }
+
+ private:
+  float weight_ = 0;
+  Eigen::Vector3f first_ = Eigen::Vector3f::Zero();
+  Eigen::Matrix3f second_ = Eigen::Matrix3f::Zero();
+};
+
+}  // namespace
+
+SurfaceExtractor::SurfaceExtractor(const SurfaceSettings& settings, const SurfaceScales& scales)
+    : settings_(settings), scales_(scales) {
+  if (!(scales_.gravity > 0.0)) scales_.gravity = 9.81;
+}
+
+void SurfaceExtractor::detect(const SurfaceInput& input, TaskPool& pool) {
+  const FluidParticles& fluid = input.fluid;
+  const GroupKernel add_slots = select_group_kernel();
+  const auto support_radius = static_cast<float>(scales_.support_radius);
+  const auto threshold = static_cast<float>(settings_.detection_threshold) * support_radius;
+  const std::size_t groups = (fluid.count + kLanes - 1) / kLanes;
+  mark_.assign(groups * kLanes, kInside);
+  pool.for_each_range(groups, kGroupsPerBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t group = begin; group < end; ++group) {
+      GroupSums sums{};
+      const Float4* query = fluid.position.data() + group * kLanes;
+      add_slots(query, fluid.position.data(), input.fluid_neighbors.slots.data(), input.fluid_neighbors.groups[group],
+                support_radius, sums);
+      if (group < input.boundary_neighbors.groups.size())
+        add_slots(query, input.boundary.position.data(), input.boundary_neighbors.slots.data(),
+                  input.boundary_neighbors.groups[group], support_radius, sums);
+      const std::size_t lanes = std::min(kLanes, fluid.count - group * kLanes);
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const std::size_t i = group * kLanes + lane;
+        const float x = sums.x[lane], y = sums.y[lane], z = sums.z[lane];
+        const float bound = threshold * sums.weight[lane];  // |sum / weight| > threshold without the division
+        if (!is_finite(query[lane]) || !is_finite(fluid.velocity[i]))
+          mark_[i] = kNotFinite;
+        else if (x * x + y * y + z * z > bound * bound || smooth_neighbor_count(sums.weight[lane]) < kFewNeighbors)
+          mark_[i] = kSurface;
+      }
+    }
+  });
+  mark_halo(input, pool);
+  collect(fluid.count);
+}
+
+void SurfaceExtractor::mark_halo(const SurfaceInput& input, TaskPool& pool) {
+  const FluidParticles& fluid = input.fluid;
+  const auto reach = static_cast<float>(settings_.halo * scales_.spacing);
+  if (!(reach > 0.0f) || settings_.publish_all) return;
+  pool.for_each_range(fluid.count, kParticlesPerBlock * 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (std::atomic_ref(mark_[i]).load(std::memory_order_relaxed) != kSurface) continue;
+      const Eigen::Vector3f place = vector_of(fluid.position[i]);
+      for_each_neighbor(input.fluid_neighbors, i, [&](std::size_t j) {
+        if ((vector_of(fluid.position[j]) - place).squaredNorm() > reach * reach) return;
+        // Several threads may mark the same neighbour: all write the same value, and only over kInside.
+        const std::atomic_ref mark(mark_[j]);
+        if (mark.load(std::memory_order_relaxed) == kInside) mark.store(kHalo, std::memory_order_relaxed);
+      });
+    }
+  });
+}
+
+void SurfaceExtractor::collect(std::size_t count) {
+  indices_.clear();
+  counts_ = {};
+  for (std::size_t i = 0; i < count; ++i) {
+    counts_.surface += mark_[i] == kSurface;
+    counts_.halo += mark_[i] == kHalo;
+    counts_.not_finite += mark_[i] == kNotFinite;
+    if (mark_[i] != kNotFinite && (mark_[i] != kInside || settings_.publish_all))
+      indices_.push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+void SurfaceExtractor::shape(const SurfaceInput& input, TaskPool& pool, std::vector<SurfaceParticle>& particles) {
+  std::uint32_t most = 0;
+  for (const std::uint32_t i : indices_) most = std::max(most, input.fluid.id[i]);
+  if (const std::size_t needed = std::min(most, kMostRemembered - 1) + std::size_t{1}; foam_.size() < needed)
+    foam_.resize(needed);
+  particles.resize(indices_.size());
+  pool.for_each_range(indices_.size(), kParticlesPerBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) particles[n] = shape_particle(input, indices_[n]);
+  });
+}
+
+SurfaceParticle SurfaceExtractor::shape_particle(const SurfaceInput& input, std::size_t i) {
+  const FluidParticles& fluid = input.fluid;
+  const auto support_radius = static_cast<float>(scales_.support_radius);
+  const float radius_squared = support_radius * support_radius;
+  const float inverse_cubed = 1.0f / (radius_squared * support_radius);
+  const Eigen::Vector3f place = vector_of(fluid.position[i]), velocity = vector_of(fluid.velocity[i]);
+
+  MomentSums sums;
+  TrappedAir air;
+  const auto add = [&](const Float4& neighbor, const Float4* moving) {
+    const Eigen::Vector3f way = vector_of(neighbor) - place;
+    const float squared = way.squaredNorm();
+    if (!(squared < radius_squared)) return;  // also where the neighbour is no number
+    const float distance = std::sqrt(squared);
+    sums.add(way, 1.0f - squared * distance * inverse_cubed);
+    if (moving != nullptr && is_finite(*moving)) air.add(way, distance, vector_of(*moving) - velocity, support_radius);
+  };
+  for_each_neighbor(input.fluid_neighbors, i, [&](std::size_t j) { add(fluid.position[j], &fluid.velocity[j]); });
+  if (i / kLanes < input.boundary_neighbors.groups.size())
+    for_each_neighbor(input.boundary_neighbors, i, [&](std::size_t b) { add(input.boundary.position[b], nullptr); });
+
+  const Neighborhood moments = sums.moments();
+  const Ellipsoid ellipsoid = fit_ellipsoid(moments, static_cast<float>(scales_.spacing), support_radius, anisotropy_);
+  SurfaceParticle particle;
+  particle.position = (place.cast<double>() - input.origin).cast<float>() + ellipsoid.shift;
+  particle.orientation = ellipsoid.orientation;
+  particle.semi_axes = ellipsoid.semi_axes;
+  particle.velocity = velocity;
+  const float count = smooth_neighbor_count(moments.weight);
+  particle.spray = to_byte((kSprayFrom - count) / (kSprayFrom - kSprayFull));
+
+  const auto speed_unit = static_cast<float>(std::sqrt(scales_.gravity * scales_.spacing));
+  const auto time_unit = static_cast<float>(std::sqrt(scales_.spacing / scales_.gravity));
+  float foam = std::clamp((air.speed() / speed_unit - kFoamFrom) / (kFoamFull - kFoamFrom), 0.0f, 1.0f);
+  if (const std::uint32_t id = fluid.id[i]; id < foam_.size()) {
+    const auto now = static_cast<float>(input.time);
+    Foam& before = foam_[id];
+    foam = std::max(foam, before.amount * std::exp(-std::max(now - before.time, 0.0f) / (kFoamSeconds * time_unit)));
+    before = {foam, now};
+  }
+  particle.foam = to_byte(foam);
+  return particle;
+}
+
+}  // namespace pelagos
