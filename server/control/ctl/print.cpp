@@ -1,0 +1,129 @@
+#include "print.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace pelagos {
+namespace {
+
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json single_value(const Message& message, const FieldDescriptor& field) {
+  const auto& reflection = *message.GetReflection();
+  switch (field.cpp_type()) {
+    case FieldDescriptor::CPPTYPE_INT32:
+      return reflection.GetInt32(message, &field);
+    case FieldDescriptor::CPPTYPE_INT64:
+      return reflection.GetInt64(message, &field);
+    case FieldDescriptor::CPPTYPE_UINT32:
+      return reflection.GetUInt32(message, &field);
+    case FieldDescriptor::CPPTYPE_UINT64:
+      return reflection.GetUInt64(message, &field);
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return number(reflection.GetDouble(message, &field));
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return number(static_cast<double>(reflection.GetFloat(message, &field)));
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return reflection.GetBool(message, &field);
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return reflection.GetEnum(message, &field)->name();
+    case FieldDescriptor::CPPTYPE_STRING:
+      return reflection.GetString(message, &field);
+    case FieldDescriptor::CPPTYPE_MESSAGE:
+      return to_json(reflection.GetMessage(message, &field));
+  }
+  return nullptr;
+}
+
+std::string format(const char* pattern, auto... values) {
+  std::array<char, 400> text{};
+  std::snprintf(text.data(), text.size(), pattern, values...);
+  return text.data();
+}
+
+std::string describe_wind(const proto::v1::Status& status) {
+  if (!status.has_wind()) return "none";
+  const auto& wind = status.wind();
+  std::string text = format("%.1f m/s from %03.0f, gusts +-%.1f m/s over %.3g m, factor %.3g", wind.speed(),
+                            wind.from_deg(), wind.amplitude(), wind.length(), wind.beta());
+  if (wind.has_pulse()) text += format(", blowing %.3g s of every %.3g s", wind.pulse().width(), wind.pulse().period());
+  return text;
+}
+
+std::string describe_body(const proto::v1::BodyStatus& body) {
+  std::string pose = "no pose yet";
+  switch (body.health()) {
+    case proto::v1::BodyStatus::FRESH:
+      pose = "pose fresh";
+      break;
+    case proto::v1::BodyStatus::COASTING:
+      pose = "pose stale, coasting";
+      break;
+    case proto::v1::BodyStatus::HOLDING:
+      pose = "pose stale, holding";
+      break;
+    default:
+      break;
+  }
+  std::string text = format("%u at (%.1f, %.1f, %.1f) m, heading %03.0f, %.1f m/s, ", body.id(), body.position().x(),
+                            body.position().y(), body.position().z(), body.heading_deg(), body.speed());
+  text += pose;
+  if (body.has_pose_age()) text += format(" (%.2f s old)", body.pose_age());
+  return text;
+}
+
+}  // namespace
+
+Json to_json(const Message& message) {
+  const auto& descriptor = *message.GetDescriptor();
+  const auto& reflection = *message.GetReflection();
+  Json json = Json::object();
+  for (int i = 0; i < descriptor.field_count(); ++i) {
+    const FieldDescriptor& field = *descriptor.field(i);
+    if (field.is_repeated()) {  // all of ours hold messages
+      Json list = Json::array();
+      for (int k = 0; k < reflection.FieldSize(message, &field); ++k) {
+        list.push_back(to_json(reflection.GetRepeatedMessage(message, &field, k)));
+      }
+      json[field.name()] = std::move(list);
+    } else if (reflection.HasField(message, &field)) {
+      json[field.name()] = single_value(message, field);
+    }
+  }
+  return json;
+}
+
+std::string describe(const proto::v1::Status& s) {
+  using ull = unsigned long long;
+  std::string text;
+  text += "scene      " + s.scene() + (s.paused() ? ", paused" : ", running") + "\n";
+  text += format("time       %.2f s simulated, step %llu, frame %llu\n", s.simulation_time(), ull{s.step()},
+                 ull{s.frame()});
+  text += format("speed      %.2f of real time (%.2f achievable), %.2f ms for a step of %.2f ms\n",
+                 s.real_time_factor(), s.achievable_real_time_factor(), s.step_ms(), s.time_step() * 1e3);
+  text += format("particles  %u of water, %u of boundaries, %u published\n", s.particles(), s.boundary_particles(),
+                 s.published_particles());
+  text += format("density    error %.4f %%, largest %.4f, iterations %.1f + %.1f\n", s.density_error() * 100.0,
+                 s.largest_density(), s.density_iterations(), s.divergence_iterations());
+  text += format("motion     %.4g J kinetic, fastest %.2f m/s\n", s.kinetic_energy(), s.largest_speed());
+  text += format("frames     %llu published, %llu dropped\n", ull{s.frames_published()}, ull{s.frames_dropped()});
+  text += format("poses      %llu accepted, %llu refused\n", ull{s.poses_accepted()}, ull{s.poses_refused()});
+  text += "wind       " + describe_wind(s) + "\n";
+  for (const auto& body : s.body()) text += "body       " + describe_body(body) + "\n";
+  text += format("stations   %u\n", s.stations());
+  return text;
+}
+
+std::string describe(const proto::v1::Event& event) {
+  return format("%6llu  %9.3f s  step %-8llu ", static_cast<unsigned long long>(event.sequence()),
+                event.simulation_time(), static_cast<unsigned long long>(event.step())) +
+         event.kind() + ": " + event.text() + " (" + event.source() + ")";
+}
+
+}  // namespace pelagos

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <google/protobuf/message.h>
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "control.pb.h"
+
+namespace pelagos {
+
+/// Any message as JSON: fields under their names in the .proto file, numbers as numbers (NaN and infinities as null),
+/// enums by name, fields that are absent left out, repeated ones always there.
+[[nodiscard]] nlohmann::ordered_json to_json(const google::protobuf::Message& message);
+
+/// A status on a handful of lines, for people.
+[[nodiscard]] std::string describe(const proto::v1::Status& status);
+/// An event on one line.
+[[nodiscard]] std::string describe(const proto::v1::Event& event);
+
+}  // namespace pelagos

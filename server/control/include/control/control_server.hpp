@@ -1,0 +1,87 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "values/command.hpp"
+#include "values/status.hpp"
+
+namespace pelagos {
+
+/// Where the instructors' link listens, and what it takes from stations (proto/control.proto is the contract).
+struct ControlOptions {
+  std::string host = "127.0.0.1";  ///< address of one interface; 0.0.0.0 for all. There is no encryption: see docs
+  std::uint16_t port = 7410;       ///< 0: any free one, told by ControlServer::port()
+  std::size_t max_stations = 32;
+  std::size_t max_message = 64 * 1024;   ///< bytes of one request
+  std::size_t max_unsent = 1024 * 1024;  ///< bytes waiting for one station before it is dropped
+  double requests_per_second = 50.0;     ///< of one station, sustained
+  double request_burst = 100.0;          ///< requests at once
+  int tolerated_excess = 200;            ///< RATE_LIMITED answers without a second's rest before the link is closed
+  std::chrono::milliseconds message_timeout{5000};  ///< from a message's first byte to its last
+  std::chrono::milliseconds idle_timeout{600'000};  ///< without a request, for stations that take no events
+};
+
+enum class LogLevel { kInfo, kWarning, kError };
+
+/// What the link needs from the program around it. All are called on the link's own thread, must return at once, and
+/// must be callable until ControlServer's destructor returns. An exception out of submit or status is answered
+/// INTERNAL.
+struct ControlHooks {
+  /// Takes a validated command for the next step boundary. @return nothing, or why it cannot be done now
+  /// @param source  e.g. "station 127.0.0.1:40112", for events and logs
+  std::function<std::optional<std::string>(const Command& command, const std::string& source)> submit;
+  std::function<ServerStatus()> status;
+  std::function<void(LogLevel level, std::string_view text)> log;  ///< at most about 20 lines a second, one line each
+};
+
+/// The link cannot be opened; what() names the address and what to do.
+class ControlError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Counts since the start.
+struct ControlStatistics {
+  std::uint64_t stations = 0;           ///< connected now
+  std::uint64_t accepted_stations = 0;  ///< since the start
+  std::uint64_t refused_stations = 0;   ///< beyond max_stations
+  std::uint64_t requests = 0;           ///< whole and readable
+  std::uint64_t malformed = 0;          ///< unreadable, half, or overdue messages
+  std::uint64_t oversize = 0;           ///< announced lengths of 0 or beyond the limit
+  std::uint64_t invalid = 0;            ///< readable requests refused for a value or a missing body
+  std::uint64_t rate_limited = 0;
+  std::uint64_t slow_stations = 0;  ///< dropped because they did not read
+  std::uint64_t events = 0;         ///< broadcast
+  std::uint64_t events_lost = 0;    ///< broadcast faster than the link could take them
+};
+
+/// Serves instructors' stations over TCP on a thread of its own, from construction to destruction. A station that sends
+/// garbage, half messages or floods, or reads nothing, costs itself its link and nobody else anything.
+class ControlServer {
+ public:
+  /// Listens at once. @throws ControlError if it cannot
+  ControlServer(const ControlOptions& options, ControlHooks hooks);
+  /// Closes all links and joins the thread.
+  ~ControlServer();
+  ControlServer(const ControlServer&) = delete;
+  ControlServer& operator=(const ControlServer&) = delete;
+
+  [[nodiscard]] std::uint16_t port() const;
+
+  /// Sends an event to all stations that subscribed. From any thread; never blocks (takes a lock for an instant).
+  void broadcast(const Event& event);
+
+  [[nodiscard]] ControlStatistics statistics() const;  ///< from any thread
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pelagos

@@ -1,0 +1,124 @@
+#include "messages_out.hpp"
+
+#include <cmath>
+
+namespace pelagos {
+namespace {
+
+void fill(const Eigen::Vector3d& from, proto::v1::Vector& to) {
+  to.set_x(from.x());
+  to.set_y(from.y());
+  to.set_z(from.z());
+}
+
+void fill(const WindSettings& from, proto::v1::WindStatus& to) {
+  to.set_speed(from.velocity.head<2>().norm());
+  to.set_from_deg(wind_from_deg(from.velocity));
+  fill(from.velocity, *to.mutable_velocity());
+  to.set_amplitude(from.amplitude);
+  to.set_length(from.length);
+  to.set_beta(from.beta);
+  if (from.pulse) {
+    to.mutable_pulse()->set_period(from.pulse->period);
+    to.mutable_pulse()->set_width(from.pulse->width);
+  }
+}
+
+proto::v1::BodyStatus::Health to_health(PoseHealth health) {
+  switch (health) {
+    case PoseHealth::kFresh:
+      return proto::v1::BodyStatus::FRESH;
+    case PoseHealth::kCoasting:
+      return proto::v1::BodyStatus::COASTING;
+    case PoseHealth::kHolding:
+      return proto::v1::BodyStatus::HOLDING;
+    case PoseHealth::kNone:
+      break;
+  }
+  return proto::v1::BodyStatus::NONE;
+}
+
+void fill(const BodyState& from, proto::v1::BodyStatus& to) {
+  to.set_id(from.body);
+  fill(from.position, *to.mutable_position());
+  const Eigen::Vector3d forward = from.orientation * Eigen::Vector3d::UnitX();
+  to.set_heading_deg(wind_from_deg(-forward));  // the bearing of a vector: atan2(east, north)
+  to.set_speed(from.velocity.norm());
+  to.set_health(to_health(from.health));
+  if (from.pose_age >= 0.0) to.set_pose_age(from.pose_age);
+}
+
+}  // namespace
+
+proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
+  proto::v1::Status message;
+  message.set_scene(printable(status.scene));
+  message.set_step(status.step);
+  message.set_frame(status.frame);
+  message.set_simulation_time(status.simulation_time);
+  message.set_paused(status.paused);
+  message.set_real_time_factor(status.real_time_factor);
+  message.set_achievable_real_time_factor(status.achievable_real_time_factor);
+  message.set_step_ms(status.step_ms);
+  message.set_time_step(status.time_step);
+  message.set_particles(status.particles);
+  message.set_boundary_particles(status.boundary_particles);
+  message.set_published_particles(status.published_particles);
+  message.set_density_error(status.density_error);
+  message.set_largest_density(status.largest_density);
+  message.set_density_iterations(status.density_iterations);
+  message.set_divergence_iterations(status.divergence_iterations);
+  message.set_kinetic_energy(status.kinetic_energy);
+  message.set_largest_speed(status.largest_speed);
+  message.set_frames_published(status.frames_published);
+  message.set_frames_dropped(status.frames_dropped);
+  message.set_poses_accepted(status.poses_accepted);
+  message.set_poses_refused(status.poses_refused);
+  if (status.wind) fill(*status.wind, *message.mutable_wind());
+  for (const BodyState& body : status.bodies) fill(body, *message.add_body());
+  message.set_stations(static_cast<std::uint32_t>(stations));
+  return message;
+}
+
+proto::v1::ServerMessage to_message(const Event& event) {
+  proto::v1::ServerMessage message;
+  proto::v1::Event& out = *message.mutable_event();
+  out.set_sequence(event.sequence);
+  out.set_step(event.step);
+  out.set_simulation_time(event.simulation_time);
+  out.set_kind(printable(event.kind));
+  out.set_source(printable(event.source));
+  out.set_text(printable(event.text, 1000));
+  return message;
+}
+
+proto::v1::ServerMessage error_message(std::uint64_t id, proto::v1::Error::Code code, std::string text,
+                                       const std::string& field) {
+  proto::v1::ServerMessage message;
+  message.mutable_response()->set_id(id);
+  proto::v1::Error& error = *message.mutable_response()->mutable_error();
+  error.set_code(code);
+  error.set_message(printable(text, 1000));
+  if (!field.empty()) error.set_field(field);
+  return message;
+}
+
+std::string frame_message(const google::protobuf::MessageLite& message) {
+  const std::string body = message.SerializeAsString();
+  const auto size = static_cast<std::uint32_t>(body.size());
+  std::string framed;
+  framed.reserve(body.size() + 4);
+  for (int shift = 24; shift >= 0; shift -= 8) framed.push_back(static_cast<char>((size >> shift) & 0xffu));
+  return framed + body;
+}
+
+std::string printable(const std::string& text, std::size_t max_length) {
+  std::string out = text.size() > max_length ? text.substr(0, max_length) + "..." : text;
+  for (char& c : out) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte > 0x7e) c = '?';  // ASCII only, so that it is valid UTF-8 wherever it was cut
+  }
+  return out;
+}
+
+}  // namespace pelagos

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "control.pb.h"
+#include "limits.hpp"
+
+namespace pelagos {
+
+/// Counted on the link's thread, read from any.
+struct ControlCounters {
+  std::atomic<std::uint64_t> accepted_stations{0}, refused_stations{0}, requests{0}, malformed{0}, oversize{0},
+      invalid{0}, rate_limited{0}, slow_stations{0}, events{0}, events_lost{0}, stations{0};
+};
+
+/// What all stations of a server share; used on the link's thread only.
+struct StationContext {
+  const ControlOptions& options;
+  const ControlHooks& hooks;
+  LimitedLog& log;
+  ControlCounters& counters;
+  /// The wind that the last accepted command asked for; what fields that a later one leaves out keep. Unknown until
+  /// the first: then it is the wind that the status tells.
+  struct WindTarget {
+    bool known = false;
+    std::optional<WindSettings> wind;
+  } wind_target;
+  std::function<void(class Station&)> gone;
+};
+
+/// One instructor's link: cuts the bytes into requests, answers each, and queues events. All on the link's thread.
+class Station : public std::enable_shared_from_this<Station> {
+ public:
+  Station(boost::asio::ip::tcp::socket socket, StationContext& context);
+
+  void start();
+  /// Answers with an error and closes.
+  void refuse(proto::v1::Error::Code code, const std::string& text);
+  void send_event(const std::shared_ptr<const std::string>& framed);
+  void close();
+
+  [[nodiscard]] bool closing() const { return closing_; }
+  [[nodiscard]] bool subscribed() const { return subscribed_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  void read_more();
+  void take_bytes(std::size_t count);
+  bool take_message();
+  void set_deadline();
+  void on_deadline();
+
+  void handle(const char* data, std::size_t size);
+  [[nodiscard]] bool within_rate(std::uint64_t id);
+  void dispatch(const proto::v1::Request& request);
+  void answer_hello(const proto::v1::Request& request);
+  void answer_command(const proto::v1::Request& request);
+
+  void send(const proto::v1::ServerMessage& message);
+  void push(std::shared_ptr<const std::string> framed);
+  void write_next();
+  /// Sends what is queued, then closes: nothing more is read as requests.
+  void finish();
+  void shut_when_sent();
+
+  StationContext& context_;
+  boost::asio::ip::tcp::socket socket_;
+  boost::asio::steady_timer deadline_;
+  std::string name_;  ///< "station ADDRESS:PORT"
+  std::array<char, 8192> chunk_{};
+  std::string input_;  ///< bytes of the message under way
+  std::deque<std::shared_ptr<const std::string>> output_;
+  std::size_t unsent_ = 0;
+  TokenBucket bucket_;
+  int excess_ = 0;
+  Clock::time_point last_excess_{};
+  std::size_t drained_ = 0;
+  bool message_begun_ = false;
+  bool subscribed_ = false;
+  bool closing_ = false;
+  bool peer_ended_ = false;
+  bool shut_ = false;
+};
+
+}  // namespace pelagos

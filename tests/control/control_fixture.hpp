@@ -1,0 +1,186 @@
+#pragma once
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "control.pb.h"
+#include "control/control_server.hpp"
+
+namespace pelagos::test {
+
+using proto::v1::Error;
+using proto::v1::Request;
+using proto::v1::ServerMessage;
+
+/// Far beyond what an answer over loopback takes, so that only a missing one fails, on a busy machine too.
+constexpr int kPatienceSeconds = 10;
+
+/// A station that may send anything: a bare socket.
+class RawStation {
+ public:
+  explicit RawStation(std::uint16_t port, int receive_buffer = 0) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    if (receive_buffer > 0) ::setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
+    const timeval patience{kPatienceSeconds, 0};
+    ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(port);
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    connected_ = ::connect(socket_, static_cast<sockaddr*>(static_cast<void*>(&address)), sizeof address) == 0;
+    EXPECT_TRUE(connected_);
+  }
+  ~RawStation() { ::close(socket_); }
+  RawStation(const RawStation&) = delete;
+  RawStation& operator=(const RawStation&) = delete;
+
+  /// @return whether all of it was taken
+  bool send_bytes(const std::string& bytes) {
+    std::size_t sent = 0;
+    while (sent < bytes.size()) {
+      const ssize_t n = ::send(socket_, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
+      if (n <= 0) return false;
+      sent += static_cast<std::size_t>(n);
+    }
+    return true;
+  }
+  bool send(const Request& request) { return send_bytes(frame(request.SerializeAsString())); }
+
+  static std::string frame(const std::string& body, std::optional<std::size_t> announced = std::nullopt) {
+    const std::size_t size = announced.value_or(body.size());
+    std::string framed;
+    for (int shift = 24; shift >= 0; shift -= 8) framed.push_back(static_cast<char>((size >> shift) & 0xffu));
+    return framed + body;
+  }
+
+  void end_sending() { ::shutdown(socket_, SHUT_WR); }
+
+  /// The next message, or nothing at the end of the link (or after kPatienceSeconds).
+  std::optional<ServerMessage> read() {
+    const std::optional<std::string> header = read_bytes(4);
+    if (!header) return std::nullopt;
+    std::size_t length = 0;
+    for (const char byte : *header) length = (length << 8) | static_cast<unsigned char>(byte);
+    EXPECT_GT(length, 0u);
+    EXPECT_LE(length, std::size_t{1} << 20);
+    const std::optional<std::string> body = read_bytes(length);
+    if (!body) return std::nullopt;
+    ServerMessage message;
+    EXPECT_TRUE(message.ParseFromString(*body));
+    return message;
+  }
+  std::optional<ServerMessage> ask(const Request& request) {
+    if (!send(request)) return std::nullopt;
+    return read();
+  }
+  /// Whether the server has closed the link, all that it sent before read away.
+  bool at_end() {
+    char byte;
+    ssize_t n;
+    while ((n = ::recv(socket_, &byte, 1, 0)) > 0) {
+    }
+    return n == 0 || errno == ECONNRESET;
+  }
+
+ private:
+  std::optional<std::string> read_bytes(std::size_t count) {
+    std::string bytes(count, '\0');
+    std::size_t got = 0;
+    while (got < count) {
+      const ssize_t n = ::recv(socket_, bytes.data() + got, count - got, 0);
+      if (n <= 0) return std::nullopt;
+      got += static_cast<std::size_t>(n);
+    }
+    return bytes;
+  }
+
+  int socket_;
+  bool connected_ = false;
+};
+
+/// A server on a free port of loopback, which notes what it is asked to do.
+class ControlTest : public testing::Test {
+ protected:
+  ControlTest() { options_.port = 0; }
+  ~ControlTest() override { server_.reset(); }
+
+  ControlServer& server() {
+    if (!server_) server_ = std::make_unique<ControlServer>(options_, hooks());
+    return *server_;
+  }
+  std::uint16_t port() { return server().port(); }
+  void stop() { server_.reset(); }
+
+  std::vector<Command> commands() {
+    const std::lock_guard lock(mutex_);
+    return commands_;
+  }
+  std::string log() {
+    const std::lock_guard lock(mutex_);
+    return log_;
+  }
+  /// Waits until the condition holds.
+  template <typename Condition>
+  static bool eventually(Condition condition) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(kPatienceSeconds);
+    while (!condition()) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return true;
+  }
+  /// A whole session of a well-behaved station: the server is unharmed.
+  void expect_unharmed() {
+    RawStation station(port());
+    Request request;
+    request.set_id(77);
+    request.mutable_get_status();
+    const auto reply = station.ask(request);
+    ASSERT_TRUE(reply && reply->has_response());
+    EXPECT_EQ(reply->response().id(), 77u);
+    EXPECT_EQ(reply->response().status().scene(), "test");
+  }
+
+  ControlOptions options_;
+  ServerStatus status_;                 // set before the server starts
+  std::optional<std::string> refusal_;  // likewise
+  bool throws_ = false;                 // likewise
+
+ private:
+  ControlHooks hooks() {
+    status_.scene = "test";
+    ControlHooks hooks;
+    hooks.submit = [this](const Command& command, const std::string& source) -> std::optional<std::string> {
+      EXPECT_THAT(source, testing::StartsWith("station 127.0.0.1:"));
+      if (throws_) throw std::runtime_error("broken");
+      if (refusal_) return refusal_;
+      const std::lock_guard lock(mutex_);
+      commands_.push_back(command);
+      return std::nullopt;
+    };
+    hooks.status = [this] { return status_; };
+    hooks.log = [this](LogLevel, std::string_view text) {
+      const std::lock_guard lock(mutex_);
+      log_ += std::string(text) + "\n";
+    };
+    return hooks;
+  }
+
+  std::mutex mutex_;
+  std::vector<Command> commands_;
+  std::string log_;
+  std::unique_ptr<ControlServer> server_;
+};
+
+}  // namespace pelagos::test
