@@ -49,6 +49,9 @@ function(pelagos_add_program name)
   target_link_libraries(${name} PRIVATE ${ARG_LINK} pelagos_warnings)
 endfunction()
 
+# Builds the unit tests and nothing else; what the sanitizer runs of deploy/test build.
+add_custom_target(unit_tests)
+
 # pelagos_add_test(name SOURCES test_a.cpp ... [LINK lib ...] [LABELS unit] [TIMEOUT seconds])
 # A GoogleTest program registered with ctest, each TEST a ctest entry.
 function(pelagos_add_test name)
@@ -62,5 +65,8 @@ function(pelagos_add_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main pelagos_warnings)
   target_compile_definitions(${name} PRIVATE PELAGOS_SOURCE_DIR="${CMAKE_SOURCE_DIR}" PELAGOS_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  if(ARG_LABELS STREQUAL "unit")
+    add_dependencies(unit_tests ${name})
+  endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${ARG_LABELS} TIMEOUT ${ARG_TIMEOUT})
 endfunction()
