@@ -54,7 +54,8 @@ std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
   };
   add_headless("--frames", options.frames, "end after so many frames; 0: no limit");
   add_headless("--duration", options.duration, "end after so many seconds; 0: no limit")->check(CLI::Range(0.0, 1e6));
-  add_headless("--every", options.every, "seconds between pictures written; 0: each frame")->check(CLI::Range(0.0, 1e5));
+  add_headless("--every", options.every, "seconds between pictures written; 0: each frame")
+      ->check(CLI::Range(0.0, 1e5));
   add_headless("--wait", options.wait, "seconds to wait for a server")->check(CLI::Range(0.0, 1e5));
   add_headless("--out", options.out, "folder for pictures and report");
   try {

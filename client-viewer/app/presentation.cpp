@@ -46,7 +46,8 @@ bool Presentation::update() {
 double Presentation::time_since_frame() const {
   const std::optional<ServerStatus> status = source_.status();
   if (status && status->paused) return 0.0;
-  const double since_received = std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_->received).count();
+  const double since_received =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_->received).count();
   const double since_made = 1e-9 * static_cast<double>(system_time_ns() - frame_->wall_time_ns);
   // Clocks of two machines may differ: then only the time since it came is known.
   const bool clocks_agree = since_made >= since_received && since_made < since_received + 1.0;

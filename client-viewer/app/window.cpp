@@ -2,11 +2,11 @@
 // epoxy comes before GLFW, which would bring its own OpenGL header
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
-#include <chrono>
 #include <imgui.h>
+#include <algorithm>
+#include <chrono>
 #include <thread>
 
 #include "app/presentation.hpp"
@@ -20,7 +20,8 @@ namespace {
 class Window {
  public:
   Window(int width, int height, const std::string& title) {
-    if (glfwInit() != GLFW_TRUE) throw GraphicsError("no display for a window; use --headless on a machine without one");
+    if (glfwInit() != GLFW_TRUE)
+      throw GraphicsError("no display for a window; use --headless on a machine without one");
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

@@ -12,9 +12,9 @@ namespace pelagos {
 
 /// A pinhole camera in the world (ENU, z up). Depth is linear: metres along the viewing axis.
 struct Camera {
-  Eigen::Vector3d eye = Eigen::Vector3d::Zero();                ///< m, world
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();                  ///< m, world
   Eigen::Matrix3d view_from_world = Eigen::Matrix3d::Identity();  ///< rows: right, up, forward
-  double tan_half_x = 1.0;  ///< tangent of half the horizontal field of view
+  double tan_half_x = 1.0;                                        ///< tangent of half the horizontal field of view
   double tan_half_y = 1.0;
   int width = 1, height = 1;  ///< pixels
   int guard = 0;              ///< pixels drawn around the picture by the fluid passes

@@ -67,7 +67,8 @@ class Fields {
       if (good) value[i] = part.get<double>();
     }
     if (!good)
-      fault(key, "is " + field->dump() + "; allowed: three numbers from " + short_text(-limit) + " to " + short_text(limit));
+      fault(key,
+            "is " + field->dump() + "; allowed: three numbers from " + short_text(-limit) + " to " + short_text(limit));
   }
   void refuse_unknown() {
     for (const auto& [key, value] : object_.items()) {
@@ -99,7 +100,8 @@ class Fields {
 Mount read_mount(const json& object, const std::string& place, std::vector<std::string>& faults) {
   Mount mount;
   if (!object.is_object()) {
-    faults.push_back(place + ": is " + object.dump() + "; allowed: an object with body, eye, attitude, heading_deg, tilt_deg");
+    faults.push_back(place + ": is " + object.dump() +
+                     "; allowed: an object with body, eye, attitude, heading_deg, tilt_deg");
     return mount;
   }
   Fields fields(object, place, faults);

@@ -22,7 +22,7 @@ struct Mount {
   MountAttitude attitude = MountAttitude::kFull;
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();  ///< m; in the world frame if body is 0 and heading_deg is 90
   double heading_deg = 90.0;                      ///< of a fixed mount, clockwise from north
-  double tilt_deg = 0.0;                          ///< pitch of the whole rig, positive up; channels turn about its own up axis
+  double tilt_deg = 0.0;  ///< pitch of the whole rig, positive up; channels turn about its own up axis
 };
 
 /// One screen.

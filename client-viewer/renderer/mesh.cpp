@@ -11,9 +11,9 @@ MeshData load_mesh(const std::filesystem::path& file, double scale) {
   Assimp::Importer importer;
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 35.0F);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_LINE | aiPrimitiveType_POINT);
-  const aiScene* scene = importer.ReadFile(
-      file.string(), aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_DropNormals |
-                         aiProcess_GenSmoothNormals | aiProcess_SortByPType | aiProcess_PreTransformVertices);
+  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
+                                                              aiProcess_DropNormals | aiProcess_GenSmoothNormals |
+                                                              aiProcess_SortByPType | aiProcess_PreTransformVertices);
   if (scene == nullptr) throw GraphicsError("mesh " + file.string() + ": " + importer.GetErrorString());
   MeshData data;
   data.low.setConstant(1e30F);

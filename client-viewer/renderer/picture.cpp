@@ -41,7 +41,8 @@ void write_png(const Picture& picture, const std::filesystem::path& file) {
   const auto collect = [](void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
   };
-  if (stbi_write_png_to_func(collect, &bytes, picture.width, picture.height, 3, picture.rgb.data(), picture.width * 3) == 0)
+  if (stbi_write_png_to_func(collect, &bytes, picture.width, picture.height, 3, picture.rgb.data(),
+                             picture.width * 3) == 0)
     throw OutputError("cannot encode " + file.string());
   write_file(file, bytes);
 }

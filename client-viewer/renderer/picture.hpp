@@ -12,7 +12,9 @@ namespace pelagos {
 struct Picture {
   Picture(int w, int h) : width(w), height(h), rgb(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3) {}
   [[nodiscard]] std::uint8_t* at(int x, int y) { return &rgb[static_cast<std::size_t>((y * width + x) * 3)]; }
-  [[nodiscard]] const std::uint8_t* at(int x, int y) const { return &rgb[static_cast<std::size_t>((y * width + x) * 3)]; }
+  [[nodiscard]] const std::uint8_t* at(int x, int y) const {
+    return &rgb[static_cast<std::size_t>((y * width + x) * 3)];
+  }
   int width, height;
   std::vector<std::uint8_t> rgb;
 };

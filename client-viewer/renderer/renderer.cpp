@@ -72,9 +72,12 @@ class Frustum {
 
 double fluid_scale(Quality quality) {
   switch (quality) {
-    case Quality::kLow: return 1.0 / 3.0;
-    case Quality::kMedium: return 0.5;
-    case Quality::kHigh: return 1.0;
+    case Quality::kLow:
+      return 1.0 / 3.0;
+    case Quality::kMedium:
+      return 0.5;
+    case Quality::kHigh:
+      return 1.0;
   }
   return 0.5;
 }
@@ -84,7 +87,10 @@ struct Renderer::State {
       : settings(s),
         size(size_for(s)),
         opaque(s.width, s.height),
-        far_sea(s.width, s.height, s.quality == Quality::kLow ? 1.6 : s.quality == Quality::kHigh ? 0.7 : 1.0),
+        far_sea(s.width, s.height,
+                s.quality == Quality::kLow    ? 1.6
+                : s.quality == Quality::kHigh ? 0.7
+                                              : 1.0),
         fluid(size.width, size.height),
         composite(s.width, s.height, s.quality != Quality::kLow) {}
 
@@ -179,8 +185,8 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   block.patch_box = vector4(low.x(), low.y(), high.x(), high.y());
   const double narrow = scene.tank.size().head<2>().minCoeff();
   const bool present = !moment.particles.empty() && narrow > 0.0;
-  block.patch_blend = vector4(present ? 1 : 0, std::min(2.0 * spacing, 0.05 * narrow),
-                              std::min(14.0 * spacing, 0.25 * narrow), 0);
+  block.patch_blend =
+      vector4(present ? 1 : 0, std::min(2.0 * spacing, 0.05 * narrow), std::min(14.0 * spacing, 0.25 * narrow), 0);
   block.sun = vector4(Eigen::Vector3d(-0.62, -0.48, 0.62).normalized(), 1.25);
   const Eigen::Vector2d axis = main_direction(scene.far_sea);
   // mean square slope by Cox & Munk (1954); the three ripple layers carry 0.05 at scale 1
@@ -189,8 +195,9 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   const Eigen::Vector2d across(-axis.y(), axis.x()), eye = camera.eye.head<2>();
   block.ripple_eye = vector4(std::fmod(axis.dot(eye), kDetailPeriod), std::fmod(across.dot(eye), kDetailPeriod),
                              std::fmod(eye.x(), kDetailPeriod), std::fmod(eye.y(), kDetailPeriod));
-  block.ripple_shift = vector4(std::fmod(1.3 * moment.time, kDetailPeriod), std::fmod(0.22 * moment.time, kDetailPeriod),
-                               std::fmod(2.3 * moment.time, kDetailPeriod), std::fmod(-0.35 * moment.time, kDetailPeriod));
+  block.ripple_shift =
+      vector4(std::fmod(1.3 * moment.time, kDetailPeriod), std::fmod(0.22 * moment.time, kDetailPeriod),
+              std::fmod(2.3 * moment.time, kDetailPeriod), std::fmod(-0.35 * moment.time, kDetailPeriod));
   fill_ship(block, camera, moment);
   return block;
 }
@@ -215,8 +222,8 @@ std::vector<std::string> Renderer::set_scene(const SceneInfo& scene, const std::
   for (const BodyInfo& body : scene.bodies) {
     const std::filesystem::path file = drawn_mesh_file(mesh_folder, body.mesh_file);
     if (file.empty()) {
-      faults.push_back("body " + std::to_string(body.id) + ": no mesh " + body.mesh_file + " in " + mesh_folder.string() +
-                       "; it is not drawn (--assets names the folder that holds meshes/)");
+      faults.push_back("body " + std::to_string(body.id) + ": no mesh " + body.mesh_file + " in " +
+                       mesh_folder.string() + "; it is not drawn (--assets names the folder that holds meshes/)");
       continue;
     }
     try {
@@ -278,8 +285,7 @@ Picture Renderer::read_picture() const {
   for (int y = 0; y < picture.height; ++y)  // OpenGL's first row is the lowest
     for (int x = 0; x < picture.width; ++x)
       for (int k = 0; k < 3; ++k)
-        picture.at(x, picture.height - 1 - y)[k] =
-            rgba[static_cast<std::size_t>((y * picture.width + x) * 4 + k)];
+        picture.at(x, picture.height - 1 - y)[k] = rgba[static_cast<std::size_t>((y * picture.width + x) * 4 + k)];
   return picture;
 }
 

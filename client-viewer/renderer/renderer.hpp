@@ -38,8 +38,8 @@ struct SeaMoment {
 };
 
 /// Names of the passes, in order, as reports use them.
-inline constexpr std::array<const char*, 6> kPassNames = {"opaque", "far_sea", "particles", "smoothing", "composite",
-                                                          "spray_edges"};
+inline constexpr std::array<const char*, 6> kPassNames = {"opaque",    "far_sea",   "particles",
+                                                          "smoothing", "composite", "spray_edges"};
 using PassTimes = std::array<double, kPassNames.size()>;  ///< ms
 
 /// Draws one channel into a picture. Needs a current OpenGL 4.5 core context, at construction and afterwards.

@@ -6,8 +6,8 @@ namespace pelagos {
 
 /// The uniform block `View` of common.glsl, field by field (std140: vectors of four floats only).
 struct ViewBlock {
-  Eigen::Vector4f right, up, forward, size, fluid_size, fluid, level, patch_box, patch_blend, sun, wave_axis, ripple_eye,
-      ripple_shift, ship, ship_size;
+  Eigen::Vector4f right, up, forward, size, fluid_size, fluid, level, patch_box, patch_blend, sun, wave_axis,
+      ripple_eye, ripple_shift, ship, ship_size;
 };
 static_assert(sizeof(ViewBlock) == 15 * 4 * sizeof(float));
 

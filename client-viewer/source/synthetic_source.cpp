@@ -72,7 +72,8 @@ class SyntheticSource final : public FrameSource {
     frame->frame = static_cast<std::uint64_t>(frame_number);
     frame->received = std::chrono::steady_clock::now();
     frame->wall_time_ns =
-        std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
+        std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+            .count();
     last_ = frame_number;
     ++counters_.received;
     return frame;
@@ -148,8 +149,8 @@ void fill_synthetic_frame(double time, OceanFrame& frame) {
       }
       if (random.next_unit() < 0.35 && hull.foam > 0.6) {
         SurfaceParticle drop;
-        drop.position = Eigen::Vector3f(static_cast<float>(x), static_cast<float>(y),
-                                        static_cast<float>(level) + 0.8F * jitter());
+        drop.position =
+            Eigen::Vector3f(static_cast<float>(x), static_cast<float>(y), static_cast<float>(level) + 0.8F * jitter());
         drop.semi_axes.setConstant(0.35F);
         drop.spray = 200;
         frame.particles.push_back(drop);
