@@ -15,17 +15,26 @@ struct alignas(64) GroupSums {
 };
 
 /// Adds the slots `range` of `slots` to `sums`. Neighbours at support_radius or farther, the dummy and neighbours that
-/// are not finite add nothing.
+/// are not finite add nothing. Four lanes at a time in SSE registers, part of every x86-64: one load brings a record,
+/// four are transposed. Sums of a lane run in slot order, so the bits do not depend on what else is in its group.
 /// @param query      the group's 16 positions
 /// @param neighbors  positions that the slots index
-using GroupKernel = void (*)(const Float4* query, const Float4* neighbors, const std::int32_t* slots,
-                             NeighborList::SlotRange range, float support_radius, GroupSums& sums);
+void add_slots(const Float4* query, const Float4* neighbors, const std::int32_t* slots, NeighborList::SlotRange range,
+               float support_radius, GroupSums& sums);
 
-/// The kernel for the widest instruction set of this machine: AVX-512, AVX2 or plain x86-64. All give the same bits:
-/// lanes are independent, sums run in slot order, and multiplications are not fused with additions.
-[[nodiscard]] GroupKernel select_group_kernel();
+/// Sums over the neighbours of one particle, for its shape and its foam.
+struct ParticleSums {
+  float weight = 0;                                      ///< sum of w
+  float x = 0, y = 0, z = 0;                             ///< sums of w r, r = x_j - x_i
+  float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;  ///< sums of w r r^T
+  float closing = 0;         ///< m/s, sum of (1 - |r|/h) (|v| - v.r/|r|), v = v_j - v_i; fluid neighbours at a distance
+  float closing_weight = 0;  ///< sum of (1 - |r|/h) of the same
+};
 
-/// Variants by name ("avx512", "avx2", "baseline"), for tests; nullptr where the machine lacks it.
-[[nodiscard]] GroupKernel group_kernel(const char* instruction_set);
+/// Adds the neighbours of particle i of `list`, four at a time; what is too far or no number adds nothing.
+/// @param own, own_velocity      of particle i
+/// @param neighbors, velocities  that the list indexes; velocities may be null: then nothing is added to `closing`
+void add_neighbors(const Float4& own, const Float4& own_velocity, const Float4* neighbors, const Float4* velocities,
+                   const NeighborList& list, std::size_t i, float support_radius, ParticleSums& sums);
 
 }  // namespace pelagos

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 
-#include "foam.hpp"
 #include "neighborhood_kernel.hpp"
 
 namespace pelagos {
@@ -34,27 +33,24 @@ std::uint8_t to_byte(float part) {
   return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(part, 0.0f, 1.0f)));
 }
 
-/// Moments of a neighbourhood as they are summed up.
-class MomentSums {
- public:
-  void add(const Eigen::Vector3f& way, float weight) {
-    weight_ += weight;
-    first_ += weight * way;
-    second_ += weight * way * way.transpose();
-  }
-  [[nodiscard]] Neighborhood moments() const {
-    Neighborhood result;
-    result.weight = weight_;
-    result.mean = first_ / weight_;
-    result.covariance = second_ / weight_ - result.mean * result.mean.transpose();
-    return result;
-  }
+/// Moments about the weighted centre; the particle itself gives a weight of at least 1.
+Neighborhood moments_of(const ParticleSums& sums) {
+  Neighborhood result;
+  const float inverse = 1.0f / std::max(sums.weight, 1.0f);
+  result.weight = sums.weight;
+  result.mean = inverse * Eigen::Vector3f(sums.x, sums.y, sums.z);
+  result.covariance << sums.xx, sums.xy, sums.xz, sums.xy, sums.yy, sums.yz, sums.xz, sums.yz, sums.zz;
+  result.covariance = inverse * result.covariance - result.mean * result.mean.transpose();
+  return result;
+}
 
- private:
-  float weight_ = 0;
-  Eigen::Vector3f first_ = Eigen::Vector3f::Zero();
-  Eigen::Matrix3f second_ = Eigen::Matrix3f::Zero();
-};
+/// The trapped-air potential of Ihmsen et al. (2012, "Unified spray, foam and air bubbles for particle-based fluids",
+/// eq. 2), how fast neighbours run into each other:
+///   v_diff = sum_j |v_ij| (1 - v^_ij . x^_ij) (1 - |x_ij|/h) ,   x_ij = x_i - x_j, v_ij = v_i - v_j ;
+/// here divided by the sum of the weights, which makes it a mean speed, m/s, that does not depend on the resolution.
+float closing_speed(const ParticleSums& sums) {
+  return sums.closing_weight > 0.0f ? sums.closing / sums.closing_weight : 0.0f;
+}
 
 }  // namespace
 
@@ -65,7 +61,6 @@ SurfaceExtractor::SurfaceExtractor(const SurfaceSettings& settings, const Surfac
 
 void SurfaceExtractor::detect(const SurfaceInput& input, TaskPool& pool) {
   const FluidParticles& fluid = input.fluid;
-  const GroupKernel add_slots = select_group_kernel();
   const auto support_radius = static_cast<float>(scales_.support_radius);
   const auto threshold = static_cast<float>(settings_.detection_threshold) * support_radius;
   const std::size_t groups = (fluid.count + kLanes - 1) / kLanes;
@@ -139,37 +134,26 @@ void SurfaceExtractor::shape(const SurfaceInput& input, TaskPool& pool, std::vec
 SurfaceParticle SurfaceExtractor::shape_particle(const SurfaceInput& input, std::size_t i) {
   const FluidParticles& fluid = input.fluid;
   const auto support_radius = static_cast<float>(scales_.support_radius);
-  const float radius_squared = support_radius * support_radius;
-  const float inverse_cubed = 1.0f / (radius_squared * support_radius);
-  const Eigen::Vector3f place = vector_of(fluid.position[i]), velocity = vector_of(fluid.velocity[i]);
-
-  MomentSums sums;
-  TrappedAir air;
-  const auto add = [&](const Float4& neighbor, const Float4* moving) {
-    const Eigen::Vector3f way = vector_of(neighbor) - place;
-    const float squared = way.squaredNorm();
-    if (!(squared < radius_squared)) return;  // also where the neighbour is no number
-    const float distance = std::sqrt(squared);
-    sums.add(way, 1.0f - squared * distance * inverse_cubed);
-    if (moving != nullptr && is_finite(*moving)) air.add(way, distance, vector_of(*moving) - velocity, support_radius);
-  };
-  for_each_neighbor(input.fluid_neighbors, i, [&](std::size_t j) { add(fluid.position[j], &fluid.velocity[j]); });
+  const Eigen::Vector3f place = vector_of(fluid.position[i]);
+  ParticleSums sums;
+  add_neighbors(fluid.position[i], fluid.velocity[i], fluid.position.data(), fluid.velocity.data(),
+                input.fluid_neighbors, i, support_radius, sums);
   if (i / kLanes < input.boundary_neighbors.groups.size())
-    for_each_neighbor(input.boundary_neighbors, i, [&](std::size_t b) { add(input.boundary.position[b], nullptr); });
-
-  const Neighborhood moments = sums.moments();
+    add_neighbors(fluid.position[i], fluid.velocity[i], input.boundary.position.data(), nullptr,
+                  input.boundary_neighbors, i, support_radius, sums);
+  const Neighborhood moments = moments_of(sums);
   const Ellipsoid ellipsoid = fit_ellipsoid(moments, static_cast<float>(scales_.spacing), support_radius, anisotropy_);
   SurfaceParticle particle;
   particle.position = (place.cast<double>() - input.origin).cast<float>() + ellipsoid.shift;
   particle.orientation = ellipsoid.orientation;
   particle.semi_axes = ellipsoid.semi_axes;
-  particle.velocity = velocity;
+  particle.velocity = vector_of(fluid.velocity[i]);
   const float count = smooth_neighbor_count(moments.weight);
   particle.spray = to_byte((kSprayFrom - count) / (kSprayFrom - kSprayFull));
 
   const auto speed_unit = static_cast<float>(std::sqrt(scales_.gravity * scales_.spacing));
   const auto time_unit = static_cast<float>(std::sqrt(scales_.spacing / scales_.gravity));
-  float foam = std::clamp((air.speed() / speed_unit - kFoamFrom) / (kFoamFull - kFoamFrom), 0.0f, 1.0f);
+  float foam = std::clamp((closing_speed(sums) / speed_unit - kFoamFrom) / (kFoamFull - kFoamFrom), 0.0f, 1.0f);
   if (const std::uint32_t id = fluid.id[i]; id < foam_.size()) {
     const auto now = static_cast<float>(input.time);
     Foam& before = foam_[id];
