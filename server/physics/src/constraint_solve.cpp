@@ -107,7 +107,9 @@ class Solver {
     });
   }
 
-  [[nodiscard]] double mean_error(const Totals& totals) const { return totals.error / static_cast<double>(count_); }
+  [[nodiscard]] double mean_error(const Totals& totals) const {
+    return totals.error / static_cast<double>(std::max<std::size_t>(count_, 1));
+  }
 
  private:
   /// u = -J'p and r = b + J u for the present p.

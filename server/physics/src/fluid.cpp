@@ -58,6 +58,9 @@ FluidState make_fluid(TaskPool& pool, const FluidParameters& parameters, std::sp
   const Region region = grid_region(parameters);
   state.fluid_grid = state.static_grid = state.moving_grid = CellGrid(region, parameters.support_radius);
   place_particles(state.particles, positions);
+  // At rest gravity is the only acceleration; the first step acts with it.
+  std::fill(state.particles.acceleration.begin(), state.particles.acceleration.end(),
+            Float4{0.0F, 0.0F, static_cast<float>(-parameters.gravity), 0.0F});
   place_tank(pool, state);
   const std::size_t padded = padded_count(state.particles.count);
   state.alpha.assign(padded, 0.0F);

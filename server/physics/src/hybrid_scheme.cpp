@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "fluid_stages.hpp"
 #include "solve_passes.hpp"
 
@@ -16,9 +18,13 @@ namespace {
 /// A correction never exceeds this share of the spacing: a leaking column would blow up otherwise.
 constexpr double kLargestCorrection = 0.25;
 
+/// Pressures follow dt^2, but the repair of density in them does not: after a sliver of a step it would be blown up by
+/// the square of this ratio.
+constexpr double kLargestStepRatio = 2.0;
+
 float warm_factor(const FluidState& state, double dt) {
   if (state.last_dt <= 0.0) return 0.0F;
-  const double ratio = dt / state.last_dt;
+  const double ratio = std::min(dt / state.last_dt, kLargestStepRatio);
   return static_cast<float>(ratio * ratio);
 }
 
