@@ -42,9 +42,10 @@ vec2 sky_place(vec3 direction) {
 
 vec3 clear_sky(vec3 direction) {
   float up_part = max(direction.z, 0.0);
-  vec3 horizon = vec3(0.60, 0.71, 0.80);
-  vec3 zenith = vec3(0.10, 0.22, 0.46);
-  vec3 colour = mix(zenith, horizon, exp(-4.2 * up_part));
+  vec3 horizon = vec3(0.62, 0.74, 0.84);
+  vec3 middle = vec3(0.27, 0.46, 0.70);
+  vec3 zenith = vec3(0.07, 0.18, 0.43);
+  vec3 colour = mix(mix(zenith, middle, exp(-2.6 * up_part)), horizon, exp(-9.0 * up_part));
   float towards = max(dot(direction, sun.xyz), 0.0);
   colour += vec3(1.0, 0.86, 0.66) * (0.10 * pow(towards, 6.0) + 0.22 * pow(towards, 48.0));
   return colour;

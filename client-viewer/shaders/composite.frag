@@ -17,9 +17,10 @@ vec3 sky_colour(vec3 d, float blur) {
 }
 vec3 haze_colour(vec3 d) { return clear_sky(normalize(vec3(d.xy, 0.02 * length(d.xy)))); }
 
+// Filmic curve with a toe, so that deep water stays deep, and a soft shoulder for sky and foam.
 vec3 tone_map(vec3 c) {
-  c *= 1.05;
-  c = c * (1.0 + c / 6.0) / (1.0 + 0.55 * c);  // soft shoulder
+  c *= 1.12;
+  c = c * (c + 0.26) / (c * (0.80 * c + 0.62) + 0.30);
   return pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2));
 }
 
@@ -112,20 +113,22 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float height, ve
   // Fresnel of a rough sea (Bruneton, Neyret & Holzschuch 2010)
   float fresnel = 0.02 + 0.98 * pow(1.0 - facing, 5.0 * exp(-2.69 * sigma)) / (1.0 + 22.7 * pow(sigma, 1.5));
   vec3 r = reflect(-v, n);
-  r.z = abs(r.z) + 0.06 + 0.5 * sigma;
+  r.z = abs(r.z) + 0.05 + 0.9 * sigma;  // rough water mirrors the sky higher up
   r = normalize(r);
-  vec3 reflection = sky_colour(r, 3.2 + 1.5 * smoothstep(0.0, 0.2, sigma));
+  vec3 reflection = sky_colour(r, 4.6 + 1.2 * smoothstep(0.0, 0.2, sigma)) * vec3(0.86, 0.95, 1.05);
   // the ship's mirror image in the mean level, disturbed by the slopes
   vec2 bend = vec2(dot(slope, right.xy), 0.7 * dot(slope, normalize(forward.xy + 1e-4))) * min(9.0 * inverse, 0.5);
   vec4 image = textureLod(mirrored, uv + bend * vec2(0.30, 0.42), 0.0);
   reflection = mix(reflection, image.rgb / max(image.a, 1e-3), image.a);
 
   // Light that comes back out of the water, more through thin crests and where the sun stands behind them.
-  vec3 deep = vec3(0.006, 0.034, 0.058);
-  vec3 shallow = vec3(0.020, 0.145, 0.150);
-  float crest = clamp(0.30 + 0.32 * height, 0.0, 1.0);
-  float through = crest * (0.30 + 0.70 * pow(max(dot(sun.xyz, -v) * 0.5 + 0.5, 0.0), 2.0)) * clamp(0.6 + 1.2 * dot(slope, v.xy), 0.2, 1.0);
-  vec3 body = mix(deep, shallow, 0.42 * through) * (0.55 + 0.45 * sun.w * sun.z);
+  vec3 deep = vec3(0.0045, 0.030, 0.062);
+  vec3 shallow = vec3(0.018, 0.150, 0.170);
+  float crest = clamp(0.25 + 0.30 * height, 0.0, 1.0);
+  float through = crest * (0.35 + 0.65 * pow(max(dot(sun.xyz, -v) * 0.5 + 0.5, 0.0), 2.0)) *
+                  clamp(0.6 + 1.4 * dot(slope, v.xy), 0.15, 1.0);
+  float lit = 0.55 + 0.75 * sun.w * max(dot(n, sun.xyz), 0.0);
+  vec3 body = mix(deep, shallow, 0.40 * through) * lit;
   // Hull or other bodies below the surface (Beer's law)
   if (behind_inverse > 0.0 && behind_inverse < inverse) {
     vec2 refracted = uv + bend * 0.04;

@@ -33,17 +33,17 @@ void main() {
   vec3 d = vec3(cos(elevation) * vec2(cos(azimuth), sin(azimuth)), sin(elevation));
   vec3 sky = clear_sky(d);
   // Two decks on flat layers; the higher one is streaky. They thin out towards the horizon, where haze hides them.
-  vec2 low = d.xy / (d.z + 0.06);
-  float warp = cloud_noise(low * 0.9 + 11.0, 3);
-  float cover = cloud_noise(low * vec2(0.75, 1.1) + 1.3 * warp, 6);
-  float cloud = smoothstep(0.50, 0.78, cover) * smoothstep(0.01, 0.14, d.z);
-  float streaks = cloud_noise(low * vec2(0.35, 1.6) * 0.6 + 40.0 + 0.5 * warp, 5);
-  float thin = 0.45 * smoothstep(0.45, 0.85, streaks) * smoothstep(0.03, 0.25, d.z);
+  vec2 low = d.xy / (d.z + 0.10);
+  float warp = cloud_noise(low * 0.8 + 11.0, 3);
+  float cover = cloud_noise(low * 0.95 + 1.1 * warp + 3.0, 7);
+  float cloud = smoothstep(0.47, 0.66, cover) * smoothstep(0.004, 0.05, d.z);
+  float streaks = cloud_noise(low * vec2(0.35, 1.4) * 0.7 + 40.0 + 0.6 * warp, 6);
+  float thin = 0.55 * smoothstep(0.42, 0.80, streaks) * smoothstep(0.02, 0.14, d.z);
   float towards = max(dot(d, sun.xyz), 0.0);
-  vec3 lit = vec3(0.93, 0.92, 0.90) + vec3(0.35, 0.28, 0.2) * pow(towards, 8.0);
-  vec3 shade = vec3(0.60, 0.66, 0.73);
-  vec3 cloud_colour = mix(shade, lit, smoothstep(0.85, 0.45, cover - 0.12 * towards));
+  vec3 lit = vec3(1.08, 1.06, 1.02) + vec3(0.35, 0.28, 0.2) * pow(towards, 8.0);
+  vec3 shade = vec3(0.62, 0.69, 0.77);
+  vec3 cloud_colour = mix(lit, shade, smoothstep(0.52, 0.80, cover - 0.08 * towards));
   sky = mix(sky, vec3(0.88, 0.90, 0.92), thin);
-  sky = mix(sky, cloud_colour, 0.85 * cloud);
+  sky = mix(sky, cloud_colour, 0.9 * cloud * mix(0.45, 1.0, smoothstep(0.0, 0.12, d.z)));
   colour = vec4(sky, 1.0);
 }
