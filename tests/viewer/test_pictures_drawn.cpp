@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <cmath>
+
+#include "graphics_fixture.hpp"
+#include "renderer/renderer.hpp"
+#include "source/frame_source.hpp"
+
+namespace pelagos {
+namespace {
+
+const std::filesystem::path kAssets = std::filesystem::path(PELAGOS_SOURCE_DIR) / "assets";
+constexpr int kWidth = 320, kHeight = 180;
+
+struct Drawn {
+  Picture picture{1, 1};
+  std::vector<float> depth;
+};
+
+class SyntheticSea {
+ public:
+  explicit SyntheticSea(int guard) : renderer_({kWidth, kHeight, guard, Quality::kMedium, true}), guard_(guard) {
+    faults_ = renderer_.set_scene(synthetic_scene(), kAssets / "meshes");
+    fill_synthetic_frame(12.0, frame_);
+  }
+  [[nodiscard]] const std::vector<std::string>& faults() const { return faults_; }
+  OceanFrame& frame() { return frame_; }
+
+  Drawn draw(const std::string& name) {
+    Channel channel = *load_rig(kAssets / "rigs/ship_bridge.json").find(name);
+    channel.guard_px = guard_;
+    SeaMoment moment;
+    moment.time = frame_.simulation_time;
+    moment.origin = frame_.origin;
+    moment.particles = frame_.particles;
+    moment.bodies = frame_.bodies;
+    renderer_.draw(camera_for(channel, frame_.bodies, kWidth, kHeight).value(), moment);
+    return {renderer_.read_picture(), renderer_.read_depth()};
+  }
+
+ private:
+  Renderer renderer_;
+  int guard_;
+  std::vector<std::string> faults_;
+  OceanFrame frame_;
+};
+
+double mean_colour(const Picture& picture, int channel, int first_row, int last_row) {
+  double sum = 0.0;
+  for (int y = first_row; y < last_row; ++y)
+    for (int x = 0; x < picture.width; ++x) sum += picture.at(x, y)[channel];
+  return sum / (picture.width * (last_row - first_row));
+}
+
+/// Mean absolute difference of two columns, of colours in 1/255.
+double colour_step(const Picture& a, int column_a, const Picture& b, int column_b) {
+  double sum = 0.0;
+  for (int y = 0; y < a.height; ++y)
+    for (int k = 0; k < 3; ++k) sum += std::abs(a.at(column_a, y)[k] - b.at(column_b, y)[k]);
+  return sum / (3 * a.height);
+}
+
+/// Median over rows of the relative difference in depth, where both see something.
+double depth_step(const std::vector<float>& a, int column_a, const std::vector<float>& b, int column_b) {
+  std::vector<double> steps;
+  for (int y = 0; y < kHeight; ++y) {
+    const float za = a[static_cast<std::size_t>(y * kWidth + column_a)], zb = b[static_cast<std::size_t>(y * kWidth + column_b)];
+    if (za > 0.0F && zb > 0.0F) steps.push_back(std::abs(static_cast<double>(za / zb) - 1.0));
+  }
+  std::sort(steps.begin(), steps.end());
+  return steps.empty() ? 1.0 : steps[steps.size() / 2];
+}
+
+TEST_F(Graphics, SeaIsBelowSkyAndDarker) {
+  SyntheticSea sea(64);
+  EXPECT_TRUE(sea.faults().empty());
+  const Drawn port = sea.draw("port");
+  EXPECT_GT(mean_colour(port.picture, 0, 0, 40), mean_colour(port.picture, 0, 120, 180) + 30.0);
+  EXPECT_GT(mean_colour(port.picture, 2, 120, 180), mean_colour(port.picture, 0, 120, 180)) << "water is blue";
+  // every pixel of the lower half is water or ship: the far sea has no hole
+  for (int y = 0; y < kHeight / 2; ++y)
+    for (int x = 0; x < kWidth; ++x) ASSERT_GT(port.depth[static_cast<std::size_t>(y * kWidth + x)], 0.0F) << x << " " << y;
+}
+
+TEST_F(Graphics, ChannelsMeetWithoutASeam) {
+  SyntheticSea sea(64);
+  const Drawn port = sea.draw("port"), centre = sea.draw("centre");
+  const int last = kWidth - 1;
+  // Neighbouring columns of one channel are the yardstick: the border between two channels may differ no more than
+  // 1.5 times that, for it is measured on one pair of columns only.
+  const double inside = 0.5 * (colour_step(port.picture, last - 1, port.picture, last) +
+                               colour_step(centre.picture, 0, centre.picture, 1));
+  EXPECT_LT(colour_step(port.picture, last, centre.picture, 0), 1.5 * inside + 0.5);
+  const double inside_depth = 0.5 * (depth_step(port.depth, last - 1, port.depth, last) + depth_step(centre.depth, 0, centre.depth, 1));
+  // depths are along each channel's own axis; at their common border these axes are mirror images, so they agree
+  EXPECT_LT(depth_step(port.depth, last, centre.depth, 0), 1.5 * inside_depth + 1e-3);
+}
+
+TEST_F(Graphics, ShipStandsInTheQuarterView) {
+  SyntheticSea sea(32);
+  const Drawn with_ship = sea.draw("quarter");
+  const OceanFrame frame = sea.frame();
+  // the funnel: an orange pixel is neither sky, sea nor foam
+  int orange = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const std::uint8_t* c = with_ship.picture.at(x, y);
+      orange += c[0] > 120 && c[0] > 2 * c[2];
+    }
+  EXPECT_GT(orange, 20);
+}
+
+TEST_F(Graphics, SameFrameGivesTheSamePicture) {
+  SyntheticSea sea(32);
+  const Drawn first = sea.draw("starboard");
+  (void)sea.draw("port");
+  EXPECT_EQ(first.picture.rgb, sea.draw("starboard").picture.rgb);
+}
+
+TEST_F(Graphics, DrawsWithoutParticlesBodiesOrWaves) {
+  Renderer renderer({kWidth, kHeight, 32, Quality::kLow, true});
+  SceneInfo flat = synthetic_scene();
+  flat.far_sea.clear();
+  flat.bodies = {{4, "unknown", "no_such.obj", 1.0}};
+  EXPECT_EQ(renderer.set_scene(flat, kAssets / "meshes").size(), 1u);
+  Channel channel;
+  channel.mount.eye = {0, 0, 10};
+  channel.mount.tilt_deg = -5;
+  renderer.draw(camera_for(channel, {}, kWidth, kHeight).value(), {});
+  const std::vector<float> depth = renderer.read_depth();
+  // A flat sea 10 m below: depth of the lowest row's middle is 10 m over the downward part of its ray (unit depth).
+  const Camera camera = camera_for(channel, {}, kWidth, kHeight).value();
+  const Eigen::Vector3d ray = camera.ray(1.0 / kWidth, -1.0 + 1.0 / kHeight);
+  EXPECT_NEAR(depth[kWidth / 2], -10.0 / ray.z(), 1e-3 * -10.0 / ray.z()) << "interpolation in single precision";
+}
+
+}  // namespace
+}  // namespace pelagos

@@ -1,0 +1,140 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "child_process.hpp"
+#include "loopback.hpp"
+#include "renderer/gl_context.hpp"
+#include "renderer/gl_objects.hpp"
+#include "source/frame_source.hpp"
+
+namespace pelagos {
+namespace {
+
+using nlohmann::json;
+
+/// A server that publishes the synthetic sea at 30 Hz until it is destroyed.
+class SeaServer {
+ public:
+  SeaServer() : participant_(join_dds(test_settings())), publisher_(participant_, synthetic_scene()) {
+    thread_ = std::thread([this] {
+      OceanFrame frame;
+      for (std::uint64_t number = 0; !stop_; ++number) {
+        fill_synthetic_frame(static_cast<double>(number) / 30.0, frame);
+        auto snapshot = publisher_.acquire();
+        snapshot->frame = number;
+        snapshot->simulation_time = frame.simulation_time;
+        snapshot->wall_time_ns =
+            std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
+        snapshot->particles = frame.particles;
+        snapshot->bodies = frame.bodies;
+        snapshot->total_particles = frame.total_particles;
+        snapshot->status.real_time_factor = 1.0;
+        publisher_.submit(std::move(snapshot));
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+      }
+    });
+  }
+  ~SeaServer() {
+    stop_ = true;
+    thread_.join();
+  }
+
+ private:
+  std::shared_ptr<DdsParticipant> participant_;
+  FramePublisher publisher_;
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+class ViewerProcess : public testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      const HeadlessContext context;
+    } catch (const GraphicsError& error) {
+      GTEST_SKIP() << error.what();
+    }
+    out_ = std::filesystem::path(testing::TempDir()) / ("viewer_" + std::to_string(getpid()));
+    std::filesystem::remove_all(out_);
+  }
+  void TearDown() override { std::filesystem::remove_all(out_); }
+
+  [[nodiscard]] std::vector<std::string> command(std::vector<std::string> more) const {
+    std::vector<std::string> words = {PELAGOS_VIEWER, "--headless", "--size", "160x90", "--domain",
+                                      std::to_string(test_settings().domain), "--out", out_.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  [[nodiscard]] json report(const std::string& channel) const {
+    std::ifstream in(out_ / (channel + ".json"));
+    return json::parse(in, nullptr, false);
+  }
+
+  std::filesystem::path out_;
+};
+
+TEST_F(ViewerProcess, DrawsFramesOfAServer) {
+  const SeaServer server;
+  ChildProcess viewer(command({"--channel", "starboard", "--frames", "5"}));
+  EXPECT_EQ(viewer.wait_for_end(), 0);
+  const json result = report("starboard");
+  ASSERT_TRUE(result.is_object());
+  EXPECT_EQ(result["frames_drawn"], 5);
+  EXPECT_EQ(result["pictures_written"], 5);
+  EXPECT_EQ(result["scene"], "synthetic");
+  EXPECT_GE(result["frames_received"], 1);
+  EXPECT_GT(result["latency_ms"]["mean"], 0.0);
+  EXPECT_LT(result["latency_ms"]["p50"], 10'000.0) << "same clock on both sides";
+  EXPECT_FALSE(result["gl_renderer"].get<std::string>().empty());
+  EXPECT_EQ(result["errors"], json::array());
+  for (int i = 0; i < 5; ++i)
+    EXPECT_GT(std::filesystem::file_size(out_ / ("starboard_000" + std::to_string(i) + ".png")), 1000u);
+}
+
+TEST_F(ViewerProcess, OutlivesTheServerAndFindsTheNextOne) {
+  auto server = std::make_unique<SeaServer>();
+  ChildProcess viewer(command({"--channel", "port", "--every", "0.2"}));
+  const auto pictures = [&] {
+    int count = 0;
+    if (std::filesystem::exists(out_))
+      for (const auto& entry : std::filesystem::directory_iterator(out_)) count += entry.path().extension() == ".png";
+    return count;
+  };
+  ASSERT_TRUE(eventually([&] { return pictures() >= 2; }));
+  server.reset();
+  const int at_loss = pictures();
+  ASSERT_TRUE(eventually([&] { return pictures() >= at_loss + 6; })) << "goes on drawing without a server";
+  server = std::make_unique<SeaServer>();
+  const int at_return = pictures();
+  ASSERT_TRUE(eventually([&] { return pictures() >= at_return + 20; }));
+  viewer.signal(SIGTERM);
+  EXPECT_EQ(viewer.wait_for_end(), 0);
+  const json result = report("port");
+  EXPECT_GT(result["seconds_without_server"], 0.1);
+  EXPECT_LT(result["seconds_without_server"], result["seconds"].get<double>() - 0.5) << "it saw the second one";
+}
+
+TEST_F(ViewerProcess, GivesUpWithoutAServer) {
+  ChildProcess viewer(command({"--channel", "centre", "--wait", "0.3"}));
+  EXPECT_EQ(viewer.wait_for_end(), 1);
+  EXPECT_THAT(report("centre")["errors"].dump(), testing::HasSubstr("no server on DDS domain"));
+}
+
+TEST_F(ViewerProcess, RefusesWhatItCannotUse) {
+  EXPECT_EQ(ChildProcess(command({"--channel", "mast"})).wait_for_end(), 2);
+  EXPECT_EQ(ChildProcess(command({"--channel", "port", "--size", "huge"})).wait_for_end(), 2);
+  EXPECT_EQ(ChildProcess(command({"--channel", "port", "--rig", "none.json"})).wait_for_end(), 1);
+  EXPECT_EQ(ChildProcess({PELAGOS_VIEWER}).wait_for_end(), 2);
+  EXPECT_EQ(ChildProcess({PELAGOS_VIEWER, "--version"}).wait_for_end(), 0);
+  EXPECT_EQ(ChildProcess({PELAGOS_VIEWER, "--help"}).wait_for_end(), 0);
+  std::ofstream(out_) << "a file where the folder should be";
+  EXPECT_EQ(ChildProcess(command({"--channel", "port", "--synthetic", "--frames", "1"})).wait_for_end(), 1);
+}
+
+}  // namespace
+}  // namespace pelagos
