@@ -124,9 +124,12 @@ void HeadlessRun::finish() {
 int HeadlessRun::run(const std::atomic<bool>& stop) {
   if (!wait_for_server(stop)) {
     if (!stop) {
-      report_.errors.push_back("no server on DDS domain " + std::to_string(options_.domain) + " within " +
-                               std::to_string(static_cast<int>(options_.wait)) +
-                               " s; start pelagos-server with the same --domain, or wait longer with --wait");
+      char text[200];
+      std::snprintf(text, sizeof text,
+                    "no server on DDS domain %u within %g s; start pelagos-server with the same --domain, or wait "
+                    "longer with --wait",
+                    options_.domain, options_.wait);
+      report_.errors.push_back(text);
       std::fprintf(stderr, "pelagos-viewer: %s\n", report_.errors.back().c_str());
     }
     finish();

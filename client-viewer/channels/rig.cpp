@@ -177,7 +177,7 @@ Rig parse_rig(const std::string& text, const std::string& file_name) {
   json root;
   try {
     root = json::parse(text, nullptr, true, true);  // comments are allowed
-  } catch (const json::parse_error& error) {
+  } catch (const json::exception& error) {          // syntax, or a number that no double holds
     throw RigError(file_name + ": not JSON: " + error.what());
   }
   if (!root.is_object()) throw RigError(file_name + ": allowed: one object with name, mount, channels");

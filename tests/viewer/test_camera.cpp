@@ -82,9 +82,7 @@ TEST(Camera, NeighbouringChannelsShareTheirBorderUnderTiltAndRoll) {
     EXPECT_TRUE(left.ray(1.0, y).normalized().isApprox(right.ray(-1.0, y).normalized(), kExact)) << y;
 }
 
-TEST(Camera, RefusesABodyThatIsNotThere) {
-  EXPECT_FALSE(camera_for(bridge(0.0), {}, 640, 360).has_value());
-}
+TEST(Camera, RefusesABodyThatIsNotThere) { EXPECT_FALSE(camera_for(bridge(0.0), {}, 640, 360).has_value()); }
 
 TEST(Camera, ExtrapolatesBodies) {
   BodyState body = ship(0.0);

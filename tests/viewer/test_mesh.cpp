@@ -44,8 +44,9 @@ TEST(CoasterHull, IsClosedAndFacesOutward) {
   for (const auto& t : hull.triangles) {
     for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
     const auto &a = hull.vertices[t[0] - 1], &b = hull.vertices[t[1] - 1], &c = hull.vertices[t[2] - 1];
-    volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-               a[2] * (b[0] * c[1] - b[1] * c[0])) / 6.0;
+    volume +=
+        (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])) /
+        6.0;
   }
   for (const auto& [edge, count] : edges) {
     ASSERT_EQ(count, 1);

@@ -63,7 +63,8 @@ double colour_step(const Picture& a, int column_a, const Picture& b, int column_
 double depth_step(const std::vector<float>& a, int column_a, const std::vector<float>& b, int column_b) {
   std::vector<double> steps;
   for (int y = 0; y < kHeight; ++y) {
-    const float za = a[static_cast<std::size_t>(y * kWidth + column_a)], zb = b[static_cast<std::size_t>(y * kWidth + column_b)];
+    const float za = a[static_cast<std::size_t>(y * kWidth + column_a)],
+                zb = b[static_cast<std::size_t>(y * kWidth + column_b)];
     if (za > 0.0F && zb > 0.0F) steps.push_back(std::abs(static_cast<double>(za / zb) - 1.0));
   }
   std::sort(steps.begin(), steps.end());
@@ -78,7 +79,8 @@ TEST_F(Graphics, SeaIsBelowSkyAndDarker) {
   EXPECT_GT(mean_colour(port.picture, 2, 120, 180), mean_colour(port.picture, 0, 120, 180)) << "water is blue";
   // every pixel of the lower half is water or ship: the far sea has no hole
   for (int y = 0; y < kHeight / 2; ++y)
-    for (int x = 0; x < kWidth; ++x) ASSERT_GT(port.depth[static_cast<std::size_t>(y * kWidth + x)], 0.0F) << x << " " << y;
+    for (int x = 0; x < kWidth; ++x)
+      ASSERT_GT(port.depth[static_cast<std::size_t>(y * kWidth + x)], 0.0F) << x << " " << y;
 }
 
 TEST_F(Graphics, ChannelsMeetWithoutASeam) {
@@ -90,7 +92,8 @@ TEST_F(Graphics, ChannelsMeetWithoutASeam) {
   const double inside = 0.5 * (colour_step(port.picture, last - 1, port.picture, last) +
                                colour_step(centre.picture, 0, centre.picture, 1));
   EXPECT_LT(colour_step(port.picture, last, centre.picture, 0), 1.5 * inside + 0.5);
-  const double inside_depth = 0.5 * (depth_step(port.depth, last - 1, port.depth, last) + depth_step(centre.depth, 0, centre.depth, 1));
+  const double inside_depth =
+      0.5 * (depth_step(port.depth, last - 1, port.depth, last) + depth_step(centre.depth, 0, centre.depth, 1));
   // depths are along each channel's own axis; at their common border these axes are mirror images, so they agree
   EXPECT_LT(depth_step(port.depth, last, centre.depth, 0), 1.5 * inside_depth + 1e-3);
 }

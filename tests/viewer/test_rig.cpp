@@ -22,7 +22,8 @@ std::string refusal_of(const std::string& text) {
 
 TEST(Rig, ShippedRigHasTheBridgeChannels) {
   const Rig rig = load_rig(std::filesystem::path(PELAGOS_SOURCE_DIR) / "assets/rigs/ship_bridge.json");
-  for (const char* name : {"port", "centre", "starboard", "quarter", "above"}) EXPECT_NE(rig.find(name), nullptr) << name;
+  for (const char* name : {"port", "centre", "starboard", "quarter", "above"})
+    EXPECT_NE(rig.find(name), nullptr) << name;
   // neighbouring screens must meet
   EXPECT_DOUBLE_EQ(rig.find("port")->yaw_deg + 0.5 * rig.find("port")->horizontal_fov_deg,
                    rig.find("centre")->yaw_deg - 0.5 * rig.find("centre")->horizontal_fov_deg);
@@ -57,9 +58,10 @@ TEST(Rig, ReportsEveryFaultAtOnce) {
   for (const char* fault :
        {"rig.json: mount.body: is -1; allowed: a whole number from 0 to 1000000", "mount.eye: is [1,2]; allowed: three",
         "mount.attitude: is \"sideways\"; allowed: \"full\", \"heading\", \"none\"", "channels[0].name: is \"a b\"",
-        "channels[0].horizontal_fov_deg: is 180; allowed: a number from 1 to 120", "channels[0].fov: is not a field here",
-        "channels[1].name: is missing", "channels[1].yaw_deg: is \"left\"", "channels[1].guard_px: is 1.5",
-        "channels[3].name: is \"x\", which an earlier channel has", "colour: is not a field here; allowed: channels, mount, name"})
+        "channels[0].horizontal_fov_deg: is 180; allowed: a number from 1 to 120",
+        "channels[0].fov: is not a field here", "channels[1].name: is missing", "channels[1].yaw_deg: is \"left\"",
+        "channels[1].guard_px: is 1.5", "channels[3].name: is \"x\", which an earlier channel has",
+        "colour: is not a field here; allowed: channels, mount, name"})
     EXPECT_THAT(report, HasSubstr(fault));
 }
 
@@ -69,7 +71,8 @@ TEST(Rig, RefusesWhatIsNoRig) {
   EXPECT_THAT(refusal_of("{}"), HasSubstr("channels: is missing"));
   EXPECT_THAT(refusal_of("{\"channels\": []}"), HasSubstr("a list of 1 to 64 channels"));
   EXPECT_THAT(refusal_of("{\"channels\": [3]}"), HasSubstr("channels[0]: is 3"));
-  EXPECT_THAT(refusal_of("{\"channels\": [{\"name\": \"a\", \"guard_px\": 99999999999999999999}]}"), HasSubstr("guard_px"));
+  EXPECT_THAT(refusal_of("{\"channels\": [{\"name\": \"a\", \"guard_px\": 99999999999999999999}]}"),
+              HasSubstr("guard_px"));
   EXPECT_THAT(refusal_of("{\"channels\": [{\"name\": \"a\", \"yaw_deg\": 1e999}]}"), HasSubstr("not JSON"));
 }
 

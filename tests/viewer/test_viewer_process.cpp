@@ -29,7 +29,8 @@ class SeaServer {
         snapshot->frame = number;
         snapshot->simulation_time = frame.simulation_time;
         snapshot->wall_time_ns =
-            std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch()).count();
+            std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+                .count();
         snapshot->particles = frame.particles;
         snapshot->bodies = frame.bodies;
         snapshot->total_particles = frame.total_particles;
@@ -65,8 +66,9 @@ class ViewerProcess : public testing::Test {
   void TearDown() override { std::filesystem::remove_all(out_); }
 
   [[nodiscard]] std::vector<std::string> command(std::vector<std::string> more) const {
-    std::vector<std::string> words = {PELAGOS_VIEWER, "--headless", "--size", "160x90", "--domain",
-                                      std::to_string(test_settings().domain), "--out", out_.string()};
+    std::vector<std::string> words = {PELAGOS_VIEWER, "--headless", "--size",
+                                      "160x90",       "--domain",   std::to_string(test_settings().domain),
+                                      "--out",        out_.string()};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
