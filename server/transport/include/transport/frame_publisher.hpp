@@ -52,7 +52,8 @@ class FramePublisher {
   [[nodiscard]] std::unique_ptr<Snapshot> acquire();
 
   /// Hands a frame over, in microseconds; never waits for the network. If the one before has not been taken yet, it is
-  /// dropped and counted. `frames_published` and `frames_dropped` of its status are filled in here. Null is ignored.
+  /// dropped and counted. From one thread. `frames_published` and `frames_dropped` of its status are filled in here.
+  /// Null is ignored.
   void submit(std::unique_ptr<Snapshot> snapshot);
 
   /// Status alone, at once: while paused there are no frames.
