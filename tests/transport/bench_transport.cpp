@@ -63,7 +63,7 @@ void measure_publisher(const std::vector<SurfaceParticle>& particles, int viewer
   std::vector<std::unique_ptr<ChildProcess>> readers;
   for (int i = 0; i < viewers; ++i) {
     readers.push_back(std::make_unique<ChildProcess>(
-        std::vector<std::string>{PELAGOS_TEST_READER, std::to_string(test_settings().domain)}));
+        std::vector<std::string>{PELAGOS_TEST_PEER, "viewer", std::to_string(test_settings().domain)}));
   }
   const bool all_there = eventually([&] { return publisher.viewers() == static_cast<std::uint32_t>(viewers); });
   std::printf("viewers: %d%s\n", viewers, all_there ? "" : " (not all have come)");

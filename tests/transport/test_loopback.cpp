@@ -280,6 +280,24 @@ TEST_F(HostileWriter, FramesWithFaultsAreRefusedAndCounted) {
   EXPECT_TRUE(receiver_->wait_for_frame(kPatience)) << "a good frame after the bad ones";
 }
 
+TEST_F(HostileWriter, SceneWithFaultsIsRefused) {
+  const DdsWriter writer(*participant_, topics::scene_info());
+  const wire::SceneInfoSample good(test_scene(), 99);
+  std::vector<pelagos_SceneInfoV1> bad(4, good.get());
+  bad[0].particle_spacing = 0.0;
+  bad[1].frame_interval = std::numeric_limits<double>::quiet_NaN();
+  bad[2].tank_max.x = std::numeric_limits<double>::infinity();
+  bad[3].origin_latitude_deg = 91.0;
+  for (const pelagos_SceneInfoV1& sample : bad) {
+    EXPECT_NE(wire::find_fault(sample), nullptr);
+    ASSERT_TRUE(writer.write(&sample));
+  }
+  EXPECT_EQ(wire::find_fault(good.get()), nullptr);
+  ASSERT_TRUE(writer.write(&good.get()));
+  ASSERT_TRUE(eventually([this] { return receiver_->scene_info().has_value(); }));
+  EXPECT_EQ(receiver_->scene_revision(), 1U);
+}
+
 TEST_F(HostileWriter, SecondServerIsIgnoredWhileTheFirstLives) {
   ASSERT_TRUE(writer_->write(&sample_));
   ASSERT_TRUE(receiver_->wait_for_frame(kPatience));

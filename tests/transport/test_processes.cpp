@@ -22,7 +22,7 @@ class Processes : public testing::Test {
 
   static std::unique_ptr<ChildProcess> start_reader() {
     return std::make_unique<ChildProcess>(
-        std::vector<std::string>{PELAGOS_TEST_READER, std::to_string(test_settings().domain)});
+        std::vector<std::string>{PELAGOS_TEST_PEER, "viewer", std::to_string(test_settings().domain)});
   }
 
   /// Submits the next frame and gives the readers time to take it.
@@ -82,6 +82,19 @@ TEST_F(Processes, SlowViewerGetsNewFramesAndTheWriterGoesOn) {
   const ReceiverCounters counters = slow.counters();
   EXPECT_GE(counters.replaced + 1, counters.received);
   EXPECT_EQ(publisher_->counters().failed, 0U);
+}
+
+TEST(ServerProcess, KilledServerIsNoticedByItsLiveliness) {
+  FrameReceiver receiver(test_settings());
+  const auto server = std::make_unique<ChildProcess>(
+      std::vector<std::string>{PELAGOS_TEST_PEER, "server", std::to_string(test_settings().domain)});
+  ASSERT_TRUE(receiver.wait_for_frame(kPatience));
+  ASSERT_TRUE(eventually([&] { return receiver.server_alive(); }));
+  server->signal(SIGKILL);
+  const auto killed = std::chrono::steady_clock::now();
+  ASSERT_TRUE(eventually([&] { return !receiver.server_alive(); }));
+  // The lease is 1 s; the participant itself would be missed after 10 s only.
+  EXPECT_LT(std::chrono::steady_clock::now() - killed, 8s);
 }
 
 TEST_F(Processes, ExampleBridgeIsHeardAndEndsByItself) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -25,14 +24,6 @@ constexpr auto kSourceSilence = std::chrono::seconds(2);
 constexpr auto kPollInterval = std::chrono::milliseconds(250);
 constexpr std::size_t kMostEvents = 256;
 constexpr std::size_t kMostSpareFrames = 4;
-// A viewer has no use for more, and what a scene_info may make it allocate stays bounded.
-constexpr std::uint32_t kMostSceneItems = 4096;
-
-bool is_plausible(const pelagos_SceneInfoV1& info) {
-  return info.far_sea._length <= kMostSceneItems && info.bodies._length <= kMostSceneItems &&
-         info.particle_spacing > 0.0 && info.frame_interval > 0.0 && std::isfinite(info.particle_spacing) &&
-         std::isfinite(info.frame_interval) && std::isfinite(info.water_level);
-}
 
 }  // namespace
 
@@ -124,7 +115,7 @@ class FrameReceiver::Implementation {
       status_ = std::move(status);
     });
     winds_.take_all<pelagos_WindV1>([this](const auto& sample) {
-      if (!is_followed(sample.source)) return;
+      if (wire::find_fault(sample) != nullptr || !is_followed(sample.source)) return;
       const std::lock_guard lock(mutex_);
       wind_ = sample.has_wind ? std::optional(wire::from_wire(sample.wind)) : std::nullopt;
     });
@@ -164,8 +155,8 @@ class FrameReceiver::Implementation {
   }
 
   void accept_scene(const pelagos_SceneInfoV1& sample) {
-    if (!is_plausible(sample)) {
-      log_.write("scene_info refused: spacing, frame interval or counts are out of range");
+    if (const char* fault = wire::find_fault(sample)) {
+      log_.write(std::string("scene_info refused: ") + fault);
       return;
     }
     SceneInfo scene = wire::from_wire(sample);

@@ -81,6 +81,11 @@ bool is_plausible(const pelagos_BodyStateV1& body) {
          squared < 1.02 && std::isfinite(body.pose_age);
 }
 
+bool is_finite(const pelagos_WaveComponentV1& wave) {
+  return std::isfinite(wave.amplitude) && std::isfinite(wave.wavenumber) && std::isfinite(wave.omega) &&
+         std::isfinite(wave.direction) && std::isfinite(wave.phase);
+}
+
 }  // namespace
 
 pelagos_BodyStateV1 to_wire(const BodyState& state, pelagos_WorldFrame frame) {
@@ -313,6 +318,38 @@ const char* find_fault(const pelagos_OceanFrameV1& frame) {
   const auto* first = frame.bodies._buffer;
   if (!std::all_of(first, first + frame.bodies._length, is_plausible)) return "a body's state is not finite";
   return nullptr;
+}
+
+const char* find_fault(const pelagos_SceneInfoV1& info) {
+  // A viewer has no use for more, and what a scene may make it allocate stays bounded.
+  constexpr std::uint32_t kMostItems = 4096;
+  if (info.far_sea._length > kMostItems || info.bodies._length > kMostItems) return "more than 4096 waves or bodies";
+  if (!(info.particle_spacing > 0.0 && info.particle_spacing < kLargestPackedMagnitude)) {
+    return "particle_spacing is out of range";
+  }
+  if (!(info.frame_interval > 0.0 && info.frame_interval < 3600.0)) return "frame_interval is out of range";
+  if (!is_finite(info.tank_min) || !is_finite(info.tank_max) || !std::isfinite(info.water_level)) {
+    return "tank or water_level is not finite";
+  }
+  if (!(std::abs(info.origin_latitude_deg) <= 90.0 && std::abs(info.origin_longitude_deg) <= 360.0 &&
+        std::isfinite(info.origin_height))) {
+    return "origin is out of range";
+  }
+  const auto* waves = info.far_sea._buffer;
+  const auto wave_is_finite = [](const pelagos_WaveComponentV1& wave) { return is_finite(wave); };
+  if (!std::all_of(waves, waves + info.far_sea._length, wave_is_finite)) return "a wave is not finite";
+  const auto* bodies = info.bodies._buffer;
+  const auto has_scale = [](const pelagos_BodyInfoV1& body) { return body.mesh_scale > 0.0 && body.mesh_scale < 1e6; };
+  if (!std::all_of(bodies, bodies + info.bodies._length, has_scale)) return "a body's mesh_scale is out of range";
+  return nullptr;
+}
+
+const char* find_fault(const pelagos_WindV1& wind) {
+  if (!wind.has_wind) return nullptr;
+  const pelagos_WindSettingsV1& w = wind.wind;
+  const bool finite = is_finite(w.velocity_to) && std::isfinite(w.amplitude) && std::isfinite(w.length) &&
+                      std::isfinite(w.beta) && std::isfinite(w.pulse_period) && std::isfinite(w.pulse_width);
+  return finite ? nullptr : "the wind is not finite";
 }
 
 }  // namespace pelagos::wire

@@ -74,6 +74,9 @@ class OceanFrameSample {
 
 /// Why a frame is refused, or null if everything in it is plausible and the payload holds `count` whole records.
 [[nodiscard]] const char* find_fault(const pelagos_OceanFrameV1& frame);
+/// The same for the rest of what a viewer computes with.
+[[nodiscard]] const char* find_fault(const pelagos_SceneInfoV1& info);
+[[nodiscard]] const char* find_fault(const pelagos_WindV1& wind);
 [[nodiscard]] PackingScales scales_of(const pelagos_OceanFrameV1& frame);
 
 [[nodiscard]] inline Eigen::Vector3d from_wire(const pelagos_Vector3& v) { return {v.x, v.y, v.z}; }
