@@ -52,10 +52,10 @@ endfunction()
 # Builds the unit tests and nothing else; what the sanitizer runs of deploy/test build.
 add_custom_target(unit_tests)
 
-# pelagos_add_test(name SOURCES test_a.cpp ... [LINK lib ...] [LABELS unit] [TIMEOUT seconds])
-# A GoogleTest program registered with ctest, each TEST a ctest entry.
+# pelagos_add_test(name SOURCES test_a.cpp ... [LINK lib ...] [LABELS unit] [TIMEOUT seconds] [SERIAL])
+# A GoogleTest program registered with ctest, each TEST a ctest entry. SERIAL: no other test runs beside these.
 function(pelagos_add_test name)
-  cmake_parse_arguments(ARG "" "LABELS;TIMEOUT" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL" "LABELS;TIMEOUT" "SOURCES;LINK" ${ARGN})
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
   endif()
@@ -68,5 +68,6 @@ function(pelagos_add_test name)
   if(ARG_LABELS STREQUAL "unit")
     add_dependencies(unit_tests ${name})
   endif()
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${ARG_LABELS} TIMEOUT ${ARG_TIMEOUT})
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS ${ARG_LABELS} TIMEOUT ${ARG_TIMEOUT} RUN_SERIAL ${ARG_SERIAL})
 endfunction()

@@ -1,0 +1,62 @@
+// Puts the reports that the programs of one run of deploy/demo left behind into summary.json, and judges the run.
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+
+#include "run_summary.hpp"
+#include "version/version.hpp"
+
+namespace {
+
+using namespace pelagos;
+
+constexpr int kOk = 0;
+constexpr int kFailed = 1;
+constexpr int kBadArguments = 2;
+
+void write_summary(const std::filesystem::path& file, const nlohmann::ordered_json& summary) {
+  std::ofstream output(file);
+  output << summary.dump(2) << "\n";
+  output.close();
+  if (!output) throw RunFileError(file.string() + ": cannot be written; check the folder and the space left");
+}
+
+int run(const std::filesystem::path& folder, const RunFacts& facts) {
+  const RunFiles files = read_run(folder);
+  const std::vector<std::string> faults = find_faults(files);
+  const nlohmann::ordered_json summary = summarise(files, facts, faults);
+  write_summary(folder / "summary.json", summary);
+
+  std::cout << "\n" << describe(summary) << "\nmade in " << folder.string() << ":\n  summary.json\n";
+  for (const PictureFile& picture : files.pictures) {
+    std::cout << "  " << picture.name << "  " << picture.width << "x" << picture.height << "\n";
+  }
+  for (const std::string& fault : faults) std::cerr << "pelagos-demo-summary: " << fault << "\n";
+  return faults.empty() ? kOk : kFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::string folder;
+  RunFacts facts;
+  CLI::App app("Puts the reports of one run of deploy/demo together into summary.json.", "pelagos-demo-summary");
+  app.set_version_flag("--version", std::string("pelagos-demo-summary ") + kVersion);
+  app.add_option("--run", folder, "folder of the run")->required()->check(CLI::ExistingDirectory);
+  app.add_option("--scene", facts.scene_file, "scene file that ran")->required();
+  app.add_option("--domain", facts.domain, "DDS domain that it ran in")->required();
+  app.add_option("--seconds", facts.seconds, "how long it was to run, s")->required();
+  app.add_option("--wall-seconds", facts.wall_seconds, "how long it took, s")->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kOk : kBadArguments;
+  }
+  try {
+    return run(folder, facts);
+  } catch (const std::exception& error) {
+    std::cerr << "pelagos-demo-summary: " << error.what() << "\n";
+    return kFailed;
+  }
+}

@@ -1,0 +1,247 @@
+// The programs from outside: command lines, exit codes, signals, files that cannot be written.
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <nlohmann/json.hpp>
+
+#include "running_program.hpp"
+
+namespace pelagos {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// For what takes milliseconds, on a machine with other work.
+constexpr seconds kPatience{60};
+
+std::string program(const std::string& name) { return PELAGOS_BINARY_DIR "/bin/" + name; }
+std::string scene(const std::string& name) { return PELAGOS_SOURCE_DIR "/scenes/" + name + ".scene"; }
+
+/// A TCP socket on loopback that listens on a free port.
+class TakenPort {
+ public:
+  TakenPort() {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    if (bind(socket_, reinterpret_cast<sockaddr*>(&address), size) != 0 || listen(socket_, 1) != 0 ||
+        getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &size) != 0)
+      throw std::runtime_error("no free port on loopback");
+    endpoint_ = "127.0.0.1:" + std::to_string(ntohs(address.sin_port));
+  }
+  ~TakenPort() { close(socket_); }
+  TakenPort(const TakenPort&) = delete;
+  TakenPort& operator=(const TakenPort&) = delete;
+  [[nodiscard]] const std::string& endpoint() const { return endpoint_; }
+
+ private:
+  int socket_ = socket(AF_INET, SOCK_STREAM, 0);
+  std::string endpoint_;
+};
+
+std::string free_endpoint() { return TakenPort().endpoint(); }
+std::string own_domain() { return std::to_string(1 + getpid() % 100); }
+
+std::vector<std::string> server_arguments(const std::string& scene_file, const std::string& endpoint) {
+  return {program("pelagos-server"), "--scene", scene_file, "--domain", own_domain(), "--control", endpoint};
+}
+
+/// A server on a small basin that answers.
+class Server : public testing::Test {
+ protected:
+  void start(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = server_arguments(scene("still_water"), endpoint_);
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    server_ = std::make_unique<RunningProgram>(arguments);
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (ask({"status"}) != 0) {
+      ASSERT_FALSE(server_->wait(milliseconds(0))) << server_->errors();
+      ASSERT_LT(std::chrono::steady_clock::now(), end) << server_->errors();
+    }
+  }
+
+  int ask(const std::vector<std::string>& command) {
+    std::vector<std::string> arguments = {program("pelagos-ctl"), "--server", endpoint_};
+    arguments.insert(arguments.end(), command.begin(), command.end());
+    RunningProgram ctl(arguments);
+    const int code = ctl.wait(kPatience).value_or(-1);
+    answer_ = ctl.output();
+    return code;
+  }
+
+  std::string endpoint_ = free_endpoint();
+  std::unique_ptr<RunningProgram> server_;
+  std::string answer_;
+};
+
+TEST_F(Server, EndsWithinASecondOfSigterm) {
+  start();
+  const auto begin = std::chrono::steady_clock::now();
+  server_->signal(SIGTERM);
+  EXPECT_EQ(server_->wait(kPatience), 0) << server_->errors();
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, seconds(1));
+}
+
+TEST_F(Server, EndsOnSigintToo) {
+  start();
+  server_->signal(SIGINT);
+  EXPECT_EQ(server_->wait(kPatience), 0) << server_->errors();
+}
+
+TEST_F(Server, ReportsAFullDisk) {
+  start({"--report", "/dev/full"});
+  server_->signal(SIGTERM);
+  EXPECT_EQ(server_->wait(kPatience), 1);
+  EXPECT_THAT(server_->errors(), HasSubstr("/dev/full"));
+}
+
+TEST_F(Server, GoesOnWhenABridgeSendsForAnUnknownBody) {
+  start();
+  RunningProgram bridge(
+      {program("pelagos-example-bridge"), "--domain", own_domain(), "--body", "77", "--duration", "1"});
+  EXPECT_EQ(bridge.wait(kPatience), 0) << bridge.errors();
+  ASSERT_EQ(ask({"status", "--json"}), 0);
+  const auto status = nlohmann::json::parse(answer_);
+  EXPECT_EQ(status.value("poses_accepted", 0), 0);
+  EXPECT_GT(status.value("poses_refused", 0), 0);
+}
+
+TEST(ServerCommandLine, RefusesAnUnknownOption) {
+  RunningProgram server({program("pelagos-server"), "--scene", scene("still_water"), "--wings"});
+  EXPECT_EQ(server.wait(kPatience), 2);
+  EXPECT_THAT(server.errors(), HasSubstr("--wings"));
+}
+
+TEST(ServerCommandLine, NeedsAScene) {
+  RunningProgram server({program("pelagos-server")});
+  EXPECT_EQ(server.wait(kPatience), 2);
+  EXPECT_THAT(server.errors(), HasSubstr("--scene"));
+}
+
+TEST(ServerCommandLine, NamesASceneThatIsNotThere) {
+  RunningProgram server(server_arguments("/nowhere/a.scene", free_endpoint()));
+  EXPECT_GT(server.wait(kPatience), 0);
+  EXPECT_THAT(server.errors(), HasSubstr("/nowhere/a.scene"));
+}
+
+TEST(ServerCommandLine, RefusesASceneOfABillionParticles) {
+  const TemporaryFolder folder;
+  std::string text = read_text(scene("still_water"));
+  const std::string spacing = "particle_spacing: 0.05";
+  const std::size_t at = text.find(spacing);
+  ASSERT_NE(at, std::string::npos);
+  const std::filesystem::path huge = folder.path() / "huge.scene";
+  std::ofstream(huge) << text.replace(at, spacing.size(), "particle_spacing: 0.0008");
+  RunningProgram server(server_arguments(huge.string(), free_endpoint()));
+  EXPECT_GT(server.wait(kPatience), 0);
+  EXPECT_THAT(server.errors(), AllOf(HasSubstr("huge.scene"), HasSubstr("particle")));
+}
+
+TEST(ServerCommandLine, RefusesNoThreads) {
+  for (const char* threads : {"0", "-1", "many"}) {
+    RunningProgram server({program("pelagos-server"), "--scene", scene("still_water"), "--threads", threads});
+    EXPECT_EQ(server.wait(kPatience), 2) << threads;
+    EXPECT_THAT(server.errors(), HasSubstr("--threads"));
+  }
+}
+
+TEST(ServerCommandLine, RefusesAControlAddressThatIsNone) {
+  for (const char* endpoint : {"nonsense", "127.0.0.1:99999", "127.0.0.1:"}) {
+    RunningProgram server(server_arguments(scene("still_water"), endpoint));
+    EXPECT_GT(server.wait(kPatience), 0) << endpoint;
+    EXPECT_THAT(server.errors(), HasSubstr("--control")) << endpoint;
+  }
+}
+
+TEST(ServerCommandLine, SaysThatThePortIsTaken) {
+  const TakenPort taken;
+  RunningProgram server(server_arguments(scene("still_water"), taken.endpoint()));
+  EXPECT_EQ(server.wait(kPatience), 1);
+  const std::string port = taken.endpoint().substr(taken.endpoint().find(':') + 1);
+  EXPECT_THAT(server.errors(), HasSubstr(port));
+}
+
+TEST(Ctl, SaysThatNoServerAnswers) {
+  const std::string endpoint = free_endpoint();
+  RunningProgram ctl({program("pelagos-ctl"), "--server", endpoint, "status"});
+  EXPECT_EQ(ctl.wait(kPatience), 1);
+  EXPECT_THAT(ctl.errors(), HasSubstr(endpoint));
+}
+
+std::vector<std::string> viewer_arguments(const std::filesystem::path& out) {
+  return {program("pelagos-viewer"),
+          "--channel",
+          "centre",
+          "--synthetic",
+          "--headless",
+          "--frames",
+          "1",
+          "--size",
+          "160x90",
+          "--out",
+          out.string()};
+}
+
+TEST(Viewer, RefusesAFolderThatCannotBeMade) {
+  RunningProgram viewer(viewer_arguments("/proc/pelagos"));
+  EXPECT_EQ(viewer.wait(kPatience), 1);
+  EXPECT_THAT(viewer.errors(), HasSubstr("/proc/pelagos"));
+}
+
+TEST(Viewer, ReportsAFullDisk) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path() / "centre_0000.png");
+  RunningProgram viewer(viewer_arguments(folder.path()));
+  EXPECT_EQ(viewer.wait(kPatience), 1);
+  EXPECT_THAT(viewer.errors(), HasSubstr("centre_0000.png"));
+}
+
+TEST(Viewer, NamesTheChannelsOfTheRig) {
+  RunningProgram viewer({program("pelagos-viewer"), "--channel", "crow's nest", "--headless"});
+  EXPECT_EQ(viewer.wait(kPatience), 2);
+  EXPECT_THAT(viewer.errors(), AllOf(HasSubstr("crow's nest"), HasSubstr("starboard")));
+}
+
+TEST(Viewer, EndsWhereNoServerIs) {
+  const TemporaryFolder folder;
+  RunningProgram viewer({program("pelagos-viewer"), "--channel", "centre", "--headless", "--domain", own_domain(),
+                         "--wait", "0.5", "--out", folder.path().string()});
+  EXPECT_EQ(viewer.wait(kPatience), 1);
+  EXPECT_THAT(viewer.errors(), HasSubstr("no server"));
+}
+
+class EveryProgram : public testing::TestWithParam<const char*> {};
+
+TEST_P(EveryProgram, ExplainsItself) {
+  RunningProgram help({program(GetParam()), "--help"});
+  EXPECT_EQ(help.wait(kPatience), 0);
+  EXPECT_THAT(help.output(), AllOf(HasSubstr("--help"), HasSubstr("--version")));
+  EXPECT_EQ(help.errors(), "");
+}
+
+TEST_P(EveryProgram, TellsItsVersion) {
+  RunningProgram version({program(GetParam()), "--version"});
+  EXPECT_EQ(version.wait(kPatience), 0);
+  EXPECT_EQ(version.output(), std::string(GetParam()) + " " PELAGOS_VERSION "\n");
+}
+
+TEST_P(EveryProgram, RefusesAnUnknownOption) {
+  RunningProgram wrong({program(GetParam()), "--no-such-option"});
+  EXPECT_EQ(wrong.wait(kPatience), 2);
+  EXPECT_NE(wrong.errors(), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, EveryProgram,
+                         testing::Values("pelagos-server", "pelagos-viewer", "pelagos-ctl", "pelagos-bench",
+                                         "pelagos-example-bridge", "pelagos-demo-summary"));
+
+}  // namespace
+}  // namespace pelagos
