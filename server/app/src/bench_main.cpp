@@ -1,0 +1,149 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "bench_run.hpp"
+#include "machine.hpp"
+#include "physics/neighbor_search.hpp"
+#include "scene/read_scene.hpp"
+#include "solver_names.hpp"
+#include "version/version.hpp"
+
+namespace pelagos {
+namespace {
+
+struct RunArguments {
+  std::string scene_file;
+  std::optional<std::string> solver;
+  std::optional<double> tolerance, spacing;
+  std::string json_file, instruction_set;
+  BenchOptions options;
+};
+
+void add_run_options(CLI::App& run, RunArguments& arguments) {
+  run.add_option("--scene", arguments.scene_file, "Scene file")->required();
+  run.add_option("--solver", arguments.solver, "Solver (default: the scene's)")->check(CLI::IsMember(solver_names()));
+  run.add_option("--tolerance", arguments.tolerance,
+                 "Tolerance of the density constraint, fraction of the rest density (default: the scene's)")
+      ->check(CLI::Range(1e-7, 0.1));
+  run.add_option("--seconds", arguments.options.seconds, "Simulated seconds")->check(CLI::Range(1e-3, 1e6));
+  run.add_option("--steps", arguments.options.steps, "So many time steps instead of --seconds")
+      ->check(CLI::Range(1, 100000000));
+  run.add_option("--spacing", arguments.spacing, "Particle spacing, m (default: the scene's)")
+      ->check(CLI::Range(1e-4, 100.0));
+  run.add_option("--threads", arguments.options.threads, "Threads (default: all)")->check(CLI::Range(1, 256));
+  run.add_option("--instruction-set", arguments.instruction_set, "Use no more than this")
+      ->check(CLI::IsMember({"baseline", "sse4", "avx2", "avx512"}));
+  run.add_flag("--surface", arguments.options.surface, "Also extract the surface at each frame, as the server does");
+  run.add_option("--json", arguments.json_file, "Write the result there (default: standard output)");
+}
+
+nlohmann::ordered_json to_json(const Scene& scene, const RunArguments& arguments, const BenchResult& r) {
+  const Machine machine = describe_machine();
+  const auto steps = static_cast<double>(std::max<std::int64_t>(r.steps, 1));
+  nlohmann::ordered_json json;
+  json["scene"] = scene.name;
+  json["solver"] = solver_name(scene.solver);
+  json["tolerance"] = scene.solver.density.tolerance;
+  json["spacing"] = scene.particle_spacing;
+  json["particles"] = r.particles;
+  json["boundary_particles"] = r.boundary_particles;
+  json["threads"] = arguments.options.threads;
+  json["instruction_set"] = machine.instruction_set;
+  json["processor"] = machine.processor;
+  json["steps"] = r.steps;
+  json["simulated_s"] = r.simulated_s;
+  json["wall_s"] = r.wall_s;
+  json["ms_per_step"] = r.wall_s * 1e3 / steps;
+  json["wall_s_per_simulated_s"] = r.wall_s / r.simulated_s;
+  json["density_iterations_mean"] = r.density_iterations_mean;
+  json["divergence_iterations_mean"] = r.divergence_iterations_mean;
+  json["density_error_mean"] = r.density_error_mean;
+  json["density_error_peak"] = r.density_error_peak;
+  json["largest_density_peak"] = r.largest_density_peak;
+  json["energy_rise_peak"] = r.energy_rise_peak;
+  json["unconverged_steps"] = r.unconverged_steps;
+  json["outside_peak"] = r.outside_peak;
+  json["not_finite_peak"] = r.not_finite_peak;
+  json["ns_per_pair_pass"] = r.ns_per_pair_pass;
+  json["peak_memory_bytes"] = r.peak_memory_bytes;
+  for (std::size_t s = 0; s < kStageCount; ++s)
+    if (r.stages_ms[s] > 0.0) json["stages_ms"][kStageNames[s]] = r.stages_ms[s];
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(r.state_hash));
+  json["state_hash"] = hash;
+  return json;
+}
+
+/// The scene with what the command line changes; nothing if it cannot be read (reported).
+std::optional<Scene> prepare_scene(const RunArguments& arguments) {
+  SceneResult read = read_scene_file(arguments.scene_file);
+  if (!read) {
+    std::cerr << "pelagos-bench: cannot use the scene:\n" << read.report() << '\n';
+    return std::nullopt;
+  }
+  Scene scene = *read.scene;
+  if (arguments.solver && !choose_solver(*arguments.solver, scene.solver)) return std::nullopt;
+  if (arguments.tolerance) scene.solver.density.tolerance = *arguments.tolerance;
+  if (arguments.spacing) scene.particle_spacing = *arguments.spacing;
+  return scene;
+}
+
+int run(RunArguments& arguments) {
+  if (!arguments.instruction_set.empty() && !limit_instruction_set(arguments.instruction_set.c_str())) {
+    std::cerr << "pelagos-bench: --instruction-set " << arguments.instruction_set << ": this machine has no such set\n";
+    return 1;
+  }
+  const std::optional<Scene> scene = prepare_scene(arguments);
+  if (!scene) return 1;
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  int shown = -1;
+  const auto progress = [&](double part) {
+    const int percent = static_cast<int>(part * 100.0);
+    if (!terminal || percent == shown) return;
+    shown = percent;
+    std::fprintf(stderr, "\r%s: %3d %%", scene->name.c_str(), percent);
+  };
+  const BenchResult result = run_bench(*scene, arguments.options, progress);
+  if (terminal) std::fputs("\r\033[K", stderr);
+  const std::string text = to_json(*scene, arguments, result).dump(2);
+  if (arguments.json_file.empty()) {
+    std::cout << text << '\n';
+  } else {
+    std::ofstream file(arguments.json_file);
+    file << text << '\n';
+    file.close();
+    if (!file) {
+      std::cerr << "pelagos-bench: cannot write " << arguments.json_file << ": check the folder and the space left\n";
+      return 1;
+    }
+  }
+  return result.not_finite_peak == 0 ? 0 : 2;
+}
+
+}  // namespace
+}  // namespace pelagos
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Speed and error of the physics, without network or pacing.\n"
+      "Example: pelagos-bench run --scene scenes/dam_break.scene --tolerance 1e-3 --seconds 2"};
+  app.set_version_flag("--version", std::string("pelagos-bench ") + pelagos::kVersion);
+  app.require_subcommand(1);
+  pelagos::RunArguments arguments;
+  arguments.options.threads = pelagos::describe_machine().hardware_threads;
+  CLI::App& run = *app.add_subcommand("run", "Advance a scene and print speed and error as JSON");
+  pelagos::add_run_options(run, arguments);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return pelagos::run(arguments);
+  } catch (const std::exception& error) {
+    std::cerr << "pelagos-bench: " << error.what() << '\n';
+    return 1;
+  }
+}

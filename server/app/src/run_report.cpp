@@ -1,0 +1,96 @@
+#include "run_report.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "machine.hpp"
+#include "values/wind.hpp"
+#include "version/version.hpp"
+
+namespace pelagos {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* describe(ServerEnd end) {
+  switch (end) {
+    case ServerEnd::kStopped:
+      return "stopped";
+    case ServerEnd::kDurationReached:
+      return "duration_reached";
+    case ServerEnd::kNumericalFault:
+      return "numerical_fault";
+  }
+  return "";
+}
+
+Json speed(const ServerSummary& s) {
+  return {{"wall_s", s.run.wall_s},
+          {"simulated_s", s.run.simulated_s},
+          {"steps", s.run.steps},
+          {"real_time_factor", s.run.real_time_factor()},
+          {"real_time_factor_lowest_second", s.lowest_real_time_factor},
+          {"achievable_real_time_factor", s.run.achievable_real_time_factor()},
+          {"step_ms_mean", s.run.step_ms()},
+          {"step_ms_peak", s.run.step_ms_peak},
+          {"time_step_s_mean", s.run.mean(s.run.time_step)},
+          {"surface_ms_per_frame", s.surface_ms_mean}};
+}
+
+Json error(const ServerSummary& s) {
+  return {{"density_error_mean", s.run.mean(s.run.density_error)},
+          {"density_error_peak", s.run.density_error_peak},
+          {"largest_density_peak", s.run.largest_density_peak},
+          {"density_iterations_mean", s.run.mean(s.run.density_iterations)},
+          {"divergence_iterations_mean", s.run.mean(s.run.divergence_iterations)}};
+}
+
+Json transport(const ServerSummary& s) {
+  const PublisherCounters& p = s.publisher;
+  return {{"frames_published", p.published},
+          {"frames_dropped", p.dropped},
+          {"frames_failed", p.failed},
+          {"published_particles_last_frame", s.status.published_particles},
+          {"bytes_per_particle", p.bytes_per_particle},
+          {"handover_us_mean", p.handover_us_mean},
+          {"handover_us_peak", p.handover_us_peak},
+          {"pack_ms_mean", p.pack_ms_mean},
+          {"publish_ms_mean", p.frame_ms_mean},
+          {"poses_accepted", s.poses.accepted},
+          {"poses_refused", s.poses.refused_in_all()}};
+}
+
+}  // namespace
+
+std::string write_run_report(const std::string& file, const ServerSummary& s) {
+  const Machine machine = describe_machine();
+  Json json;
+  json["version"] = kVersion;
+  json["scene"] = s.status.scene;
+  json["end"] = describe(s.end);
+  json["particles"] = s.status.particles;
+  json["boundary_particles"] = s.status.boundary_particles;
+  json["hull_samples"] = s.hull_samples;
+  json["threads"] = s.threads;
+  json["instruction_set"] = machine.instruction_set;
+  json["processor"] = machine.processor;
+  json["peak_memory_bytes"] = peak_memory();
+  json["speed"] = speed(s);
+  json["error"] = error(s);
+  json["transport"] = transport(s);
+  json["control"] = {{"requests", s.control.requests},
+                     {"malformed", s.control.malformed},
+                     {"oversize", s.control.oversize},
+                     {"invalid", s.control.invalid}};
+  if (s.status.wind)
+    json["wind"] = {{"speed_m_s", s.status.wind->velocity.head<2>().norm()},
+                    {"from_deg", wind_from_deg(s.status.wind->velocity)}};
+  std::ofstream out(file);
+  out << json.dump(2) << '\n';
+  out.close();
+  if (!out) return "cannot write the report " + file + ": check the folder and the space left";
+  return {};
+}
+
+}  // namespace pelagos

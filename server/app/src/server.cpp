@@ -1,0 +1,280 @@
+#include "server.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "monotonic_clock.hpp"
+#include "pacer.hpp"
+#include "pelagos_dds/log_sink.hpp"
+#include "server_log.hpp"
+
+namespace pelagos {
+
+namespace {
+
+constexpr std::int64_t kLogIntervalNs = 5'000'000'000;
+constexpr std::chrono::milliseconds kPausedSleep{5};
+
+std::vector<std::uint32_t> driven_bodies(const Scene& scene) {
+  std::vector<std::uint32_t> ids;
+  for (const BodySettings& body : scene.bodies)
+    if (body.drive == BodyDrive::kPose) ids.push_back(body.id);
+  return ids;
+}
+
+std::string describe_wind(const WindSettings& wind, double ramp_seconds) {
+  return fmt::format("wind {:.1f} m/s from {:.0f} deg, gusts {:.1f} m/s, over {:.1f} s", wind.velocity.head<2>().norm(),
+                     wind_from_deg(wind.velocity), wind.amplitude, ramp_seconds);
+}
+
+const char* describe_health(PoseHealth health) {
+  switch (health) {
+    case PoseHealth::kNone:
+      return "no pose yet: the body holds where the scene put it";
+    case PoseHealth::kFresh:
+      return "poses are fresh";
+    case PoseHealth::kCoasting:
+      return "poses are stale: the body coasts";
+    case PoseHealth::kHolding:
+      return "poses are stale: the body is brought to rest and holds";
+  }
+  return "";
+}
+
+}  // namespace
+
+Server::Server(const ServerOptions& options, const std::atomic<bool>& stop)
+    : options_(options), stop_(stop), window_(monotonic_ns()) {
+  status_.scene = options_.scene.name;
+  open_links();
+}
+
+Server::~Server() {
+  control_.reset();  // first: its hooks use everything else
+  poses_.reset();
+  publisher_.reset();
+  install_dds_log({});
+}
+
+void Server::open_links() {
+  ControlHooks hooks;
+  hooks.submit = [this](const Command& c, const std::string& source) { return commands_.submit(c, source); };
+  hooks.status = [this] { return current_status(); };
+  hooks.log = [](LogLevel level, std::string_view text) {
+    level == LogLevel::kInfo ? log_info(text) : level == LogLevel::kWarning ? log_warning(text) : log_error(text);
+  };
+  control_ = std::make_unique<ControlServer>(options_.control, hooks);
+  log_info(fmt::format("control: listening on {}:{}", options_.control.host, control_->port()));
+
+  install_dds_log([](std::string_view line) { log_warning(line); });
+  if (const auto warning = check_receive_buffer()) log_warning(*warning);
+  DdsSettings dds;
+  dds.domain = options_.domain;
+  dds.config_file = options_.dds_config;
+  dds.log = [](std::string_view line) { log_warning(line); };
+  const auto participant = join_dds(dds);
+
+  WorldOptions world;
+  world.threads = options_.threads;
+  world.clock = monotonic_ns;
+  world.progress = [this](double) { return !stop_.load(); };
+  log_info(fmt::format("scene {}: placing and settling the water", options_.scene.name));
+  world_ = std::make_unique<World>(options_.scene, world);
+  publisher_ = std::make_unique<FramePublisher>(participant, world_->describe(), PublisherSettings{}, dds.log);
+  poses_ = std::make_unique<PoseReceiver>(participant, driven_bodies(options_.scene), dds.log);
+  log_info(fmt::format("scene {}: {} particles of {:g} m, {} boundary samples ({} on hulls), {} threads; DDS domain {}",
+                       options_.scene.name, world_->fluid().particles.count, options_.scene.particle_spacing,
+                       world_->fluid().static_walls + world_->bodies().sample_count(), world_->bodies().sample_count(),
+                       options_.threads, options_.domain));
+}
+
+ServerSummary Server::run() {
+  start_ns_ = monotonic_ns();
+  next_log_ns_ = start_ns_ + kLogIntervalNs;
+  window_ = StatusWindow(start_ns_);
+  announce("start", "server", "scene " + options_.scene.name + " started");
+  Pacer pacer(world_->time());
+  while (!stop_.load() && !out_of_time() && !broken_) {
+    apply_commands();
+    take_poses();
+    if (paused_ && steps_to_make_ == 0) {
+      wait_paused();
+      pacer.restart(world_->time());
+      continue;
+    }
+    const std::uint64_t frame = world_->frame();
+    advance();
+    if (paused_) {
+      --steps_to_make_;
+    } else if (options_.paced && world_->frame() != frame) {
+      pacer.wait_for(world_->time());
+    }
+    refresh_status();
+  }
+  announce("stop", "server", broken_ ? "stopped: values are not finite" : "stopped");
+  ServerSummary summary;
+  summary.end = broken_ ? ServerEnd::kNumericalFault : stop_.load() ? ServerEnd::kStopped : ServerEnd::kDurationReached;
+  summary.status = current_status();
+  summary.run = window_.whole_run(monotonic_ns());
+  summary.lowest_real_time_factor = window_.lowest_real_time_factor();
+  summary.surface_ms_mean = frames_filled_ > 0 ? surface_s_ * 1e3 / static_cast<double>(frames_filled_) : 0.0;
+  summary.publisher = publisher_->counters();
+  summary.poses = poses_->counters();
+  summary.control = control_->statistics();
+  summary.hull_samples = world_->bodies().sample_count();
+  summary.threads = options_.threads;
+  return summary;
+}
+
+bool Server::out_of_time() const {
+  if (options_.duration <= 0.0) return false;
+  const double passed = options_.paced ? static_cast<double>(monotonic_ns() - start_ns_) * 1e-9 : world_->time();
+  return passed >= options_.duration - 1e-9;
+}
+
+void Server::apply_commands() {
+  commands_.take(taken_commands_);
+  for (const QueuedCommand& queued : taken_commands_) apply(queued);
+}
+
+void Server::apply(const QueuedCommand& queued) {
+  struct Visitor {
+    Server& server;
+    const std::string& source;
+    void operator()(const SetWind& c) const {
+      server.world_->set_wind(c.wind, c.ramp_seconds);
+      server.announce("wind", source, describe_wind(c.wind, c.ramp_seconds));
+    }
+    void operator()(const ClearWind&) const {
+      server.world_->clear_wind();
+      server.announce("wind", source, "no wind");
+    }
+    void operator()(const PauseSimulation&) const {
+      server.paused_ = true;
+      server.announce("pause", source, "paused");
+    }
+    void operator()(const ResumeSimulation&) const {
+      server.paused_ = false;
+      server.steps_to_make_ = 0;
+      server.announce("resume", source, "resumed");
+    }
+    void operator()(const StepSimulation& c) const {
+      server.steps_to_make_ += c.steps;
+      server.announce("step", source, "single steps: " + std::to_string(c.steps));
+    }
+  };
+  std::visit(Visitor{*this, queued.source}, queued.command);
+}
+
+void Server::take_poses() {
+  poses_->take_newest(taken_poses_);
+  for (const ReceivedPose& received : taken_poses_) world_->accept_pose(received.pose);
+}
+
+void Server::advance() {
+  const std::int64_t begin = monotonic_ns();
+  WorldStep step = world_->advance();
+  if (step.frame_reached) publish_frame(step.report);
+  window_.add(step.report, static_cast<double>(monotonic_ns() - begin) * 1e-9);
+  last_report_ = step.report;
+  if (step.report.not_finite == 0) return;
+  broken_ = true;
+  log_error(
+      fmt::format("step {}: {} particles have values that are not finite; stopping. Lower time_step.max_step or "
+                  "time_step.cfl in the scene",
+                  world_->step(), step.report.not_finite));
+  announce("numerical_fault", "server", "values that are not finite");
+}
+
+void Server::publish_frame(StepReport& report) {
+  std::unique_ptr<Snapshot> snapshot = publisher_->acquire();
+  const std::int64_t begin = monotonic_ns();
+  world_->fill_snapshot(*snapshot, report);
+  surface_s_ += static_cast<double>(monotonic_ns() - begin) * 1e-9;
+  ++frames_filled_;
+  snapshot->wall_time_ns = wall_ns();
+  {
+    const std::scoped_lock lock(status_mutex_);
+    status_.published_particles = static_cast<std::uint32_t>(snapshot->particles.size());
+    snapshot->status = status_;
+  }
+  watch_poses(snapshot->bodies);
+  publisher_->submit(std::move(snapshot));
+}
+
+void Server::wait_paused() {
+  window_.skip_to(monotonic_ns());
+  const std::uint64_t second = static_cast<std::uint64_t>(monotonic_ns() / 1'000'000'000);
+  std::this_thread::sleep_for(kPausedSleep);
+  refresh_status();
+  if (static_cast<std::uint64_t>(monotonic_ns() / 1'000'000'000) != second) publisher_->submit_status(current_status());
+}
+
+void Server::refresh_status() {
+  const std::int64_t now = monotonic_ns();
+  const PublisherCounters sent = publisher_->counters();
+  const PoseCounters poses = poses_->counters();
+  ServerStatus status;
+  {
+    const std::scoped_lock lock(status_mutex_);
+    window_.roll(now, status_);
+    status_.step = world_->step();
+    status_.frame = world_->frame();
+    status_.simulation_time = world_->time();
+    status_.paused = paused_;
+    status_.particles = static_cast<std::uint32_t>(world_->fluid().particles.count);
+    status_.boundary_particles = static_cast<std::uint32_t>(world_->fluid().walls.count);
+    status_.kinetic_energy = last_report_.kinetic_energy;
+    status_.largest_speed = last_report_.largest_speed;
+    status_.frames_published = sent.published;
+    status_.frames_dropped = sent.dropped;
+    status_.poses_accepted = poses.accepted;
+    status_.poses_refused = poses.refused_in_all();
+    status_.wind = world_->wind();
+    status_.bodies = world_->bodies().states();
+    if (paused_) status_.real_time_factor = 0.0;
+    status = status_;
+  }
+  if (now < next_log_ns_) return;
+  next_log_ns_ = now + kLogIntervalNs;
+  log_info(fmt::format(
+      "t {:.1f} s: real-time factor {:.2f} (could reach {:.1f}), step {:.1f} ms, density error {:.3f} %, {} of {} "
+      "particles sent, {} frames, {} dropped, {} readers{}",
+      status.simulation_time, status.real_time_factor, status.achievable_real_time_factor, status.step_ms,
+      status.density_error * 100.0, status.published_particles, status.particles, status.frames_published,
+      status.frames_dropped, publisher_->viewers(), paused_ ? ", paused" : ""));
+}
+
+void Server::watch_poses(const std::vector<BodyState>& states) {
+  pose_health_.resize(states.size(), PoseHealth::kNone);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (states[i].health == pose_health_[i]) continue;
+    pose_health_[i] = states[i].health;
+    const std::string text = "body " + std::to_string(states[i].body) + ": " + describe_health(states[i].health);
+    announce(states[i].health == PoseHealth::kFresh ? "pose_fresh" : "pose_stale", "server", text);
+  }
+}
+
+void Server::announce(const std::string& kind, const std::string& source, const std::string& text) {
+  Event event;
+  event.sequence = ++events_;
+  event.step = world_->step();
+  event.simulation_time = world_->time();
+  event.kind = kind;
+  event.source = source;
+  event.text = text;
+  log_info(fmt::format("event {} at step {}, t {:.3f} s, by {}: {}", event.sequence, event.step, event.simulation_time,
+                       source, text));
+  control_->broadcast(event);
+  publisher_->publish_event(event);
+}
+
+ServerStatus Server::current_status() const {
+  const std::scoped_lock lock(status_mutex_);
+  return status_;
+}
+
+}  // namespace pelagos

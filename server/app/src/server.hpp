@@ -1,0 +1,100 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "command_queue.hpp"
+#include "control/control_server.hpp"
+#include "simulation/world.hpp"
+#include "status_window.hpp"
+#include "transport/frame_publisher.hpp"
+#include "transport/pose_receiver.hpp"
+#include "values/scene.hpp"
+
+namespace pelagos {
+
+struct ServerOptions {
+  Scene scene;
+  std::uint32_t domain = 0;
+  ControlOptions control;
+  int threads = 1;
+  double duration = 0.0;  ///< s: wall clock when paced, simulated when not; 0: until stopped
+  bool paced = true;
+  std::string dds_config;
+};
+
+/// How a run ended.
+enum class ServerEnd { kStopped, kDurationReached, kNumericalFault };
+
+/// Everything that a report of a run states; see run_report.hpp.
+struct ServerSummary {
+  ServerEnd end = ServerEnd::kStopped;
+  ServerStatus status;
+  RunningMeans run;
+  double lowest_real_time_factor = 0.0;
+  double surface_ms_mean = 0.0;  ///< of a frame: detection and anisotropy
+  PublisherCounters publisher;
+  PoseCounters poses;
+  ControlStatistics control;
+  std::size_t hull_samples = 0;
+  int threads = 1;
+};
+
+/// The server: one world, its publisher, its pose receiver and its control link, wired together. The calling thread
+/// advances the world; network threads only touch queues and mailboxes.
+class Server {
+ public:
+  /// Opens the control link, joins DDS and builds the world. Throws DdsError, ControlError or std::invalid_argument,
+  /// each with what to do. @param stop  set from a signal handler: ends construction and run early
+  Server(const ServerOptions& options, const std::atomic<bool>& stop);
+  ~Server();
+
+  /// Runs until stopped, out of time or broken.
+  ServerSummary run();
+
+  [[nodiscard]] std::uint16_t control_port() const { return control_->port(); }
+
+ private:
+  void open_links();
+  void apply_commands();
+  void apply(const QueuedCommand& queued);
+  void take_poses();
+  void advance();
+  void publish_frame(StepReport& report);
+  void wait_paused();
+  void refresh_status();
+  void watch_poses(const std::vector<BodyState>& states);
+  void announce(const std::string& kind, const std::string& source, const std::string& text);
+  [[nodiscard]] bool out_of_time() const;
+  [[nodiscard]] ServerStatus current_status() const;
+
+  ServerOptions options_;
+  const std::atomic<bool>& stop_;
+  CommandQueue commands_;
+  std::unique_ptr<ControlServer> control_;
+  std::unique_ptr<World> world_;
+  std::unique_ptr<FramePublisher> publisher_;
+  std::unique_ptr<PoseReceiver> poses_;
+  StatusWindow window_;
+
+  mutable std::mutex status_mutex_;
+  ServerStatus status_;  ///< shared with the control link
+
+  std::vector<QueuedCommand> taken_commands_;
+  std::vector<ReceivedPose> taken_poses_;
+  std::vector<PoseHealth> pose_health_;
+  StepReport last_report_;
+  std::uint64_t events_ = 0;
+  std::uint32_t steps_to_make_ = 0;  ///< while paused
+  bool paused_ = false;
+  bool broken_ = false;
+  double surface_s_ = 0.0;
+  std::uint64_t frames_filled_ = 0;
+  std::int64_t start_ns_ = 0, next_log_ns_ = 0;
+};
+
+}  // namespace pelagos

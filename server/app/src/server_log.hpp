@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string_view>
+
+namespace pelagos {
+
+/// Sets up the log: lines with time and level on standard error. Once, before anything logs.
+void start_log(std::string_view level);
+
+void log_info(std::string_view line);
+void log_warning(std::string_view line);
+void log_error(std::string_view line);
+
+}  // namespace pelagos

@@ -1,0 +1,109 @@
+#include <csignal>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <exception>
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include "control/endpoint.hpp"
+#include "machine.hpp"
+#include "run_report.hpp"
+#include "scene/read_scene.hpp"
+#include "server.hpp"
+#include "server_log.hpp"
+#include "version/version.hpp"
+
+namespace pelagos {
+namespace {
+
+std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
+
+void request_stop(int) { stop_requested.store(true); }
+
+struct Arguments {
+  std::string scene_file, control = "127.0.0.1:7410", report_file, log_level = "info";
+  ServerOptions options;
+  bool unpaced = false;
+};
+
+void add_options(CLI::App& app, Arguments& arguments) {
+  ServerOptions& options = arguments.options;
+  app.add_option("--scene", arguments.scene_file, "Scene file (see docs/scenes.md)")->required();
+  app.add_option("--domain", options.domain, "DDS domain")->check(CLI::Range(0, 230));
+  app.add_option("--control", arguments.control, "Address of the instructors' link; port 0 takes a free one")
+      ->capture_default_str();
+  app.add_option("--threads", options.threads, "Threads that advance the water (default: all)")
+      ->check(CLI::Range(1, 256));
+  app.add_option("--duration", options.duration, "End after so many seconds: wall clock, or simulated with --unpaced")
+      ->check(CLI::Range(0.0, 1e9));
+  app.add_flag("--unpaced", arguments.unpaced, "As fast as it goes instead of at the wall clock's pace");
+  app.add_option("--dds-config", options.dds_config,
+                 "Cyclone DDS configuration (default: CYCLONEDDS_URI, else this machine only)");
+  app.add_option("--report", arguments.report_file, "Write what the run reached there, as JSON, at the end");
+  app.add_option("--log-level", arguments.log_level, "Least level to log")
+      ->check(CLI::IsMember({"debug", "info", "warning", "error"}))
+      ->capture_default_str();
+}
+
+/// Fills the options from scene file and addresses; false if something is wrong (said).
+bool prepare(Arguments& arguments) {
+  SceneResult scene = read_scene_file(arguments.scene_file);
+  if (!scene) {
+    std::cerr << "pelagos-server: cannot use the scene:\n" << scene.report() << '\n';
+    return false;
+  }
+  const EndpointResult endpoint = parse_endpoint(arguments.control);
+  if (!endpoint.endpoint) {
+    std::cerr << "pelagos-server: --control " << arguments.control << ": " << endpoint.error << '\n';
+    return false;
+  }
+  arguments.options.scene = std::move(*scene.scene);
+  arguments.options.control.host = endpoint.endpoint->host;
+  arguments.options.control.port = endpoint.endpoint->port;
+  arguments.options.paced = !arguments.unpaced;
+  return true;
+}
+
+int serve(const Arguments& arguments) {
+  Server server(arguments.options, stop_requested);
+  const ServerSummary summary = server.run();
+  log_info("ended: real-time factor " + std::to_string(summary.run.real_time_factor()) + ", " +
+           std::to_string(summary.publisher.published) + " frames published, " +
+           std::to_string(summary.publisher.dropped) + " dropped");
+  if (!arguments.report_file.empty()) {
+    const std::string fault = write_run_report(arguments.report_file, summary);
+    if (!fault.empty()) {
+      log_error(fault);
+      return 1;
+    }
+  }
+  return summary.end == ServerEnd::kNumericalFault ? 3 : 0;
+}
+
+}  // namespace
+}  // namespace pelagos
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Ocean simulation server: advances a scene, publishes it over DDS, takes poses and an instructor's orders.\n"
+      "Example: pelagos-server --scene scenes/bridge.scene --domain 7 --control 127.0.0.1:7410"};
+  app.set_version_flag("--version", std::string("pelagos-server ") + pelagos::kVersion);
+  pelagos::Arguments arguments;
+  arguments.options.threads = pelagos::describe_machine().hardware_threads;
+  pelagos::add_options(app, arguments);
+  CLI11_PARSE(app, argc, argv);
+  std::signal(SIGINT, pelagos::request_stop);
+  std::signal(SIGTERM, pelagos::request_stop);
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    if (!pelagos::prepare(arguments)) return 1;
+    pelagos::start_log(arguments.log_level);
+    return pelagos::serve(arguments);
+  } catch (const std::exception& error) {
+    std::cerr << "pelagos-server: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physics/fluid.hpp"
+#include "rigid/body_shape.hpp"
+#include "rigid/driven_body.hpp"
+#include "values/body.hpp"
+#include "values/scene.hpp"
+
+namespace pelagos {
+
+/// The rigid bodies of a world and their samples in the water's moving walls.
+class Bodies {
+ public:
+  Bodies() = default;
+
+  /// Loads and samples all shapes. @param faults  out: what is wrong with which body; then nothing can be used
+  Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::vector<std::string>& faults);
+
+  [[nodiscard]] bool empty() const { return bodies_.empty(); }
+  [[nodiscard]] std::size_t sample_count() const { return volumes_.size(); }
+
+  /// Whether a point (m, world) is inside a hull or closer to it than `clearance`.
+  [[nodiscard]] bool covers(const Eigen::Vector3d& point, double clearance) const;
+
+  /// Takes a validated pose. False if no body follows poses under its id or it is not newer than the last one.
+  bool accept(const BodyPose& pose, double now);
+
+  /// Moves all bodies from `now` to `now + dt` and places their samples. Water that a jumping body lands on is carried
+  /// to where that body was: nothing is lost, nothing is trapped.
+  void advance(double now, double dt, const Eigen::Vector3d& origin, FluidState& fluid);
+
+  /// Places the samples of the present states; once before the first step.
+  void place(const Eigen::Vector3d& origin, FluidState& fluid) const;
+
+  /// Largest speed of any sample, m/s: the time step must respect it.
+  [[nodiscard]] double largest_speed() const;
+
+  [[nodiscard]] std::vector<BodyState> states() const;
+
+ private:
+  struct Body {
+    BodySettings settings;
+    BodyShape shape;
+    std::optional<DrivenBody> driven;
+    BodyState state;
+    std::size_t first_sample = 0;
+  };
+  void relocate_water(const Body& body, const BodyState& before, const Eigen::Vector3d& origin,
+                      FluidState& fluid) const;
+
+  std::vector<Body> bodies_;
+  std::vector<float> volumes_;  ///< V_b of all samples, m^3
+};
+
+}  // namespace pelagos

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "physics/fluid.hpp"
+#include "simulation/bodies.hpp"
+#include "values/scene.hpp"
+
+namespace pelagos {
+
+/// The scene's numbers as physics wants them, defaults filled in. @param origin  m, world: local zero
+[[nodiscard]] FluidParameters fluid_parameters(const Scene& scene, const Eigen::Vector3d& origin);
+
+/// Largest time step: the scene's, or 0.07 sqrt(d / g). Without gravity 0.07 sqrt(d / 9.81).
+[[nodiscard]] double largest_time_step(const Scene& scene);
+
+/// Local positions of the particles of all blocks, those inside hulls left out.
+[[nodiscard]] std::vector<Float4> place_blocks(const Scene& scene, const Bodies& bodies, const Eigen::Vector3d& origin);
+
+/// Level of the water once it is at rest, m, world: the particles of all blocks spread over the tank's floor.
+[[nodiscard]] double rest_level(const Scene& scene);
+
+}  // namespace pelagos

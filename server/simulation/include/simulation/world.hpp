@@ -1,0 +1,86 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "physics/fluid.hpp"
+#include "simulation/bodies.hpp"
+#include "simulation/frame_clock.hpp"
+#include "surface/surface_extractor.hpp"
+#include "values/command.hpp"
+#include "values/scene.hpp"
+#include "values/scene_info.hpp"
+#include "values/snapshot.hpp"
+#include "wind/gust_wind.hpp"
+
+namespace pelagos {
+
+struct WorldOptions {
+  int threads = 1;        ///< that advance the world, >= 1
+  Clock clock = nullptr;  ///< for the profile of the stages; null: none is kept
+  /// Called now and then while the start is relaxed, with the part done, 0..1; false ends the relaxation early.
+  std::function<bool(double)> progress;
+};
+
+/// A step and whether it reached a frame.
+struct WorldStep {
+  StepReport report;
+  bool frame_reached = false;
+};
+
+/// A scene in motion: water, walls, bodies, wind and time. No I/O beyond the mesh files read at the start.
+/// The same scene, seed, poses and commands at the same steps give the same bits for any number of threads.
+class World {
+ public:
+  /// Throws std::invalid_argument naming what is wrong with which body, one a line.
+  World(const Scene& scene, const WorldOptions& options);
+
+  /// Advances by one step, no further than the next frame.
+  WorldStep advance();
+
+  /// Takes a validated pose; false if no body follows it.
+  bool accept_pose(const BodyPose& pose) { return bodies_.accept(pose, clock_.time()); }
+  void set_wind(const WindSettings& wind, double ramp_seconds);
+  void clear_wind() { wind_.reset(); }
+  [[nodiscard]] std::optional<WindSettings> wind() const;
+
+  /// Fills time, frame, origin, bodies and the particles that travel. Its cost is a stage of the last step.
+  void fill_snapshot(Snapshot& snapshot, StepReport& report);
+
+  [[nodiscard]] SceneInfo describe() const;
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] double time() const { return clock_.time(); }  ///< s
+  [[nodiscard]] std::uint64_t frame() const { return clock_.frame(); }
+  [[nodiscard]] std::uint64_t step() const { return step_; }  ///< steps made so far
+  [[nodiscard]] const FluidState& fluid() const { return fluid_; }
+  [[nodiscard]] const Eigen::Vector3d& origin() const { return origin_; }  ///< m, world
+  [[nodiscard]] const Bodies& bodies() const { return bodies_; }
+  [[nodiscard]] double water_level() const { return water_level_; }  ///< m, world, at rest
+  /// Kinetic and potential energy in J, the latter from the tank's floor.
+  [[nodiscard]] double energy(const StepReport& report) const;
+  [[nodiscard]] StepReport measure() const;  ///< of the present state, no step made
+
+ private:
+  [[nodiscard]] double choose_time_step() const;
+  void settle();
+
+  Scene scene_;
+  WorldOptions options_;
+  std::unique_ptr<TaskPool> pool_;
+  Eigen::Vector3d origin_;
+  double water_level_ = 0.0;
+  FrameClock clock_;
+  Bodies bodies_;
+  FluidState fluid_;
+  std::optional<GustWind> wind_;
+  SurfaceExtractor surface_;
+  double max_step_ = 0.0;
+  double largest_speed_ = 0.0;
+  std::uint64_t step_ = 0;
+};
+
+}  // namespace pelagos

@@ -1,0 +1,73 @@
+#include "simulation/fluid_setup.hpp"
+
+#include <cmath>
+
+#include "values/lattice.hpp"
+
+namespace pelagos {
+
+namespace {
+
+constexpr double kSupportSpacings = 2.0;
+/// Fluid particles start at least this far outside a hull, in spacings: with samples 0.6 inside it, one spacing away.
+constexpr double kHullClearance = 0.4;
+
+SolveSettings solve_settings(const ConstraintSettings& constraint, PressureMethod method) {
+  SolveSettings settings;
+  settings.method = method == PressureMethod::kJacobi ? SolveMethod::kJacobi : SolveMethod::kConjugateGradient;
+  settings.tolerance = constraint.tolerance;
+  settings.min_iterations = constraint.min_iterations;
+  settings.max_iterations = constraint.max_iterations;
+  return settings;
+}
+
+}  // namespace
+
+FluidParameters fluid_parameters(const Scene& scene, const Eigen::Vector3d& origin) {
+  FluidParameters p;
+  p.spacing = scene.particle_spacing;
+  p.support_radius = kSupportSpacings * p.spacing;
+  p.rest_density = scene.water.rest_density;
+  p.viscosity =
+      scene.water.kinematic_viscosity >= 0.0 ? scene.water.kinematic_viscosity : 0.01 * std::pow(p.spacing / 0.05, 1.5);
+  p.gravity = scene.gravity;
+  for (int axis = 0; axis < 3; ++axis) {
+    p.tank.min[axis] = static_cast<float>(scene.tank.min[axis] - origin[axis]);
+    p.tank.max[axis] = static_cast<float>(scene.tank.max[axis] - origin[axis]);
+  }
+  p.density = solve_settings(scene.solver.density, scene.solver.method);
+  p.divergence = solve_settings(scene.solver.divergence, scene.solver.method);
+  return p;
+}
+
+double largest_time_step(const Scene& scene) {
+  if (scene.time_step.max_step > 0.0) return scene.time_step.max_step;
+  return 0.07 * std::sqrt(scene.particle_spacing / (scene.gravity > 0.0 ? scene.gravity : 9.81));
+}
+
+std::vector<Float4> place_blocks(const Scene& scene, const Bodies& bodies, const Eigen::Vector3d& origin) {
+  const double d = scene.particle_spacing;
+  std::vector<Float4> positions;
+  for (const Box& block : scene.water.blocks) {
+    const auto counts = lattice_counts(block, d);
+    for (std::int64_t k = 1; k <= counts[2]; ++k)
+      for (std::int64_t j = 1; j <= counts[1]; ++j)
+        for (std::int64_t i = 1; i <= counts[0]; ++i) {
+          const Eigen::Vector3d x =
+              block.min + d * Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
+          if (!bodies.empty() && bodies.covers(x, kHullClearance * d)) continue;
+          const Eigen::Vector3f local = (x - origin).cast<float>();
+          positions.push_back({local.x(), local.y(), local.z(), 0.0F});
+        }
+  }
+  return positions;
+}
+
+double rest_level(const Scene& scene) {
+  const double d = scene.particle_spacing;
+  const auto floor = lattice_counts(scene.tank, d);
+  const double layers = particle_count(scene) / static_cast<double>(floor[0] * floor[1]);
+  return scene.tank.min.z() + (layers + 0.5) * d;
+}
+
+}  // namespace pelagos

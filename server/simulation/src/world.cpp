@@ -1,0 +1,168 @@
+#include "simulation/world.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <filesystem>
+#include <stdexcept>
+
+#include "simulation/fluid_setup.hpp"
+#include "version/version.hpp"
+#include "waves/sea_state.hpp"
+
+namespace pelagos {
+
+namespace {
+
+constexpr double kStandardGravity = 9.81;  ///< m/s^2, for what needs a scale where the scene has no gravity
+
+constexpr int kSettleChunk = 10;  ///< steps between reports of progress
+
+/// Local zero: the middle of the tank's floor area at its lower z, so that floats keep their digits near the ship.
+Eigen::Vector3d choose_origin(const Scene& scene) {
+  const Eigen::Vector3d middle = 0.5 * (scene.tank.min + scene.tank.max);
+  return {middle.x(), middle.y(), scene.tank.min.z()};
+}
+
+Bodies make_bodies(TaskPool& pool, const Scene& scene) {
+  std::vector<std::string> faults;
+  Bodies bodies(pool, scene, fluid_parameters(scene, Eigen::Vector3d::Zero()).support_radius, faults);
+  if (faults.empty()) return bodies;
+  std::string text;
+  for (const std::string& fault : faults) text += (text.empty() ? "" : "\n") + fault;
+  throw std::invalid_argument(text);
+}
+
+GustSite gust_site(const Scene& scene, const Eigen::Vector3d& origin, double water_level) {
+  GustSite site;
+  site.spacing = scene.particle_spacing;
+  site.gravity = scene.gravity;
+  site.rest_density = scene.water.rest_density;
+  site.water_level = water_level - origin.z();
+  site.seed = scene.seed;
+  return site;
+}
+
+SurfaceScales surface_scales(const FluidParameters& parameters) {
+  return {parameters.spacing, parameters.support_radius, parameters.gravity};
+}
+
+}  // namespace
+
+World::World(const Scene& scene, const WorldOptions& options)
+    : scene_(scene),
+      options_(options),
+      pool_(std::make_unique<TaskPool>(std::max(1, options.threads))),
+      origin_(choose_origin(scene)),
+      water_level_(rest_level(scene)),
+      clock_(scene.frame_interval),
+      bodies_(make_bodies(*pool_, scene)),
+      fluid_(make_fluid(*pool_, fluid_parameters(scene, origin_), place_blocks(scene, bodies_, origin_))),
+      surface_(scene.surface, surface_scales(fluid_.parameters)),
+      max_step_(largest_time_step(scene)) {
+  if (!bodies_.empty()) bodies_.place(origin_, fluid_);
+  if (scene_.wind) wind_.emplace(gust_site(scene_, origin_, water_level_), *scene_.wind);
+  settle();
+  for (std::size_t i = 0; i < fluid_.particles.count; ++i)
+    fluid_.particles.acceleration[i] = {0.0F, 0.0F, static_cast<float>(-scene_.gravity), 0.0F};
+}
+
+void World::settle() {
+  const int steps = scene_.water.settle_steps;
+  for (int done = 0; done < steps; done += kSettleChunk) {
+    settle_fluid(*pool_, fluid_, std::min(kSettleChunk, steps - done));
+    if (options_.progress && !options_.progress(static_cast<double>(done) / steps)) return;
+  }
+}
+
+WorldStep World::advance() {
+  WorldStep step;
+  StepReport& report = step.report;
+  const Clock clock = options_.clock;
+  const double now = clock_.time(), dt = choose_time_step();
+  if (!bodies_.empty()) {
+    const StageScope scope(report.times, clock, Stage::kBodies);
+    bodies_.advance(now, dt, origin_, fluid_);
+  }
+  advance_fluid(*pool_, fluid_, dt, clock, report);
+  {
+    const StageScope scope(report.times, clock, Stage::kAcceleration);
+    start_acceleration(*pool_, fluid_, report);
+  }
+  if (wind_) {
+    const StageScope scope(report.times, clock, Stage::kWind);
+    FluidParticles& p = fluid_.particles;
+    wind_->add_acceleration(*pool_, p.position, p.count, now + dt, p.acceleration);
+  }
+  {
+    const StageScope scope(report.times, clock, Stage::kMeasure);
+    measure_fluid(*pool_, fluid_, dt, report);
+  }
+  largest_speed_ = report.largest_speed;
+  step.frame_reached = clock_.advance(dt);
+  ++step_;
+  return step;
+}
+
+double World::choose_time_step() const {
+  const double speed = std::max(largest_speed_, bodies_.largest_speed());
+  return clock_.choose_step(admissible_time_step(fluid_.parameters, scene_.time_step.cfl, max_step_, speed));
+}
+
+void World::set_wind(const WindSettings& wind, double ramp_seconds) {
+  if (!wind_) {  // from calm: the same wind without speed, ramped up
+    WindSettings calm = wind;
+    calm.velocity.setZero();
+    calm.amplitude = 0.0;
+    wind_.emplace(gust_site(scene_, origin_, water_level_), calm, clock_.time());
+  }
+  wind_->set(wind, clock_.time(), ramp_seconds);
+}
+
+std::optional<WindSettings> World::wind() const {
+  if (!wind_) return std::nullopt;
+  return wind_->settings_at(clock_.time());
+}
+
+void World::fill_snapshot(Snapshot& snapshot, StepReport& report) {
+  const StageScope scope(report.times, options_.clock, Stage::kSurface);
+  snapshot.frame = clock_.frame();
+  snapshot.simulation_time = clock_.time();
+  snapshot.origin = origin_;
+  snapshot.total_particles = static_cast<std::uint32_t>(fluid_.particles.count);
+  snapshot.bodies = bodies_.states();
+  const SurfaceInput input{fluid_.particles,        fluid_.walls, fluid_.fluid_list, fluid_.wall_list,
+                           Eigen::Vector3d::Zero(), clock_.time()};
+  surface_.detect(input, *pool_);
+  surface_.shape(input, *pool_, snapshot.particles);
+}
+
+SceneInfo World::describe() const {
+  SceneInfo info;
+  info.scene = scene_.name;
+  info.build = kVersion;
+  info.seed = scene_.seed;
+  info.frame_interval = scene_.frame_interval;
+  info.particle_spacing = scene_.particle_spacing;
+  info.water_level = water_level_;
+  info.tank = scene_.tank;
+  info.tank_walls_visible = scene_.tank_walls_visible;
+  info.origin = scene_.origin;
+  info.far_sea = make_wave_components({scene_.far_sea.beaufort, scene_.far_sea.wave_to_deg, scene_.far_sea.components,
+                                       scene_.seed, scene_.gravity > 0.0 ? scene_.gravity : kStandardGravity});
+  for (const BodySettings& body : scene_.bodies)
+    info.bodies.push_back(
+        {body.id, body.name, std::filesystem::path(body.mesh_file).filename().string(), body.mesh_scale});
+  return info;
+}
+
+double World::energy(const StepReport& report) const {
+  return report.kinetic_energy + report.potential_energy;  // local z starts at the tank's floor
+}
+
+StepReport World::measure() const {
+  StepReport report;
+  measure_fluid(*pool_, fluid_, 0.0, report);
+  return report;
+}
+
+}  // namespace pelagos
