@@ -4,8 +4,8 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
-#include <condition_variable>
 #include <deque>
 #include <mutex>
 #include <optional>
@@ -63,52 +63,41 @@ class FramePublisher::Implementation {
         wind_writer_(*participant_, topics::wind()),
         event_writer_(*participant_, topics::event()) {
     if (const auto warning = check_receive_buffer()) log_.write(*warning);  // viewers mostly run on this machine too
-    spare_.reserve(kMostSpareSnapshots);
     publish_scene_info(info);
     thread_ = std::thread([this] { run(); });
   }
 
   ~Implementation() {
-    {
-      const std::lock_guard lock(mutex_);
-      stop_ = true;
-    }
-    work_.notify_one();
+    stop_ = true;
+    wake();
     thread_.join();
+    for (std::atomic<Snapshot*>& slot : spare_) delete slot.load();
   }
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
 
   std::unique_ptr<Snapshot> acquire() {
-    std::unique_ptr<Snapshot> snapshot;
-    {
-      const std::lock_guard lock(mutex_);
-      if (!spare_.empty()) {
-        snapshot = std::move(spare_.back());
-        spare_.pop_back();
-      }
+    for (std::atomic<Snapshot*>& slot : spare_) {
+      std::unique_ptr<Snapshot> snapshot(slot.exchange(nullptr));
+      if (!snapshot) continue;
+      snapshot->particles.clear();
+      snapshot->bodies.clear();
+      return snapshot;
     }
-    if (!snapshot) return std::make_unique<Snapshot>();
-    snapshot->particles.clear();
-    snapshot->bodies.clear();
-    return snapshot;
+    return std::make_unique<Snapshot>();
   }
 
   void submit(std::unique_ptr<Snapshot> snapshot) {
     if (!snapshot) return;
     const auto begin = Clock::now();
-    std::unique_ptr<Snapshot> surplus;  // freed outside the lock
-    {
-      const std::lock_guard lock(mutex_);
-      ++counters_.submitted;
-      if (waiting_) {
-        ++counters_.dropped;
-        surplus = keep_spare(std::move(waiting_));
-      }
-      waiting_ = std::move(snapshot);
+    ++submitted_;
+    std::unique_ptr<Snapshot> replaced(waiting_.exchange(snapshot.release()));
+    if (replaced) {
+      ++dropped_;
+      keep_spare(std::move(replaced));
     }
-    work_.notify_one();
-    // Only the submitting thread writes these; no second lock for them, the publisher may hold it by now.
+    wake();
+    // Only the submitting thread writes these.
     const double taken = Microseconds(Clock::now() - begin).count();
     handover_us_ = handover_us_ + taken;
     handover_us_peak_ = std::max(handover_us_peak_.load(), taken);
@@ -119,7 +108,7 @@ class FramePublisher::Implementation {
       const std::lock_guard lock(mutex_);
       waiting_status_ = status;
     }
-    work_.notify_one();
+    wake();
   }
 
   void publish_event(const Event& event) {
@@ -131,7 +120,7 @@ class FramePublisher::Implementation {
       }
       events_.push_back(event);
     }
-    work_.notify_one();
+    wake();
   }
 
   void publish_scene_info(const SceneInfo& info) {
@@ -149,6 +138,8 @@ class FramePublisher::Implementation {
   PublisherCounters counters() const {
     const std::lock_guard lock(mutex_);
     PublisherCounters result = counters_;
+    result.submitted = submitted_;
+    result.dropped = dropped_;
     const auto frames = static_cast<double>(std::max<std::uint64_t>(1, result.published));
     result.handover_us_peak = handover_us_peak_;
     result.handover_us_mean = handover_us_ / static_cast<double>(std::max<std::uint64_t>(1, result.submitted));
@@ -175,21 +166,31 @@ class FramePublisher::Implementation {
       } catch (const std::exception& error) {  // out of memory: this frame is lost, the next may do
         count_write(false, error.what());
       }
-      const std::lock_guard lock(mutex_);
-      if (work.snapshot) keep_spare(std::move(work.snapshot));
+      keep_spare(std::move(work.snapshot));
     }
   }
 
   /// False when stopped and nothing is left.
   bool wait_for_work(Work& work) {
-    std::unique_lock lock(mutex_);
-    work_.wait(lock, [this] { return stop_ || waiting_ || waiting_status_ || !events_.empty(); });
-    if (!waiting_ && !waiting_status_ && events_.empty()) return false;
-    work.snapshot = std::move(waiting_);
-    work.status = std::exchange(waiting_status_, std::nullopt);
-    work.events = std::exchange(events_, {});
-    work.particle_spacing = particle_spacing_;
-    return true;
+    for (;;) {
+      const int seen = signal_;
+      const bool last_round = stop_;
+      work.snapshot.reset(waiting_.exchange(nullptr));
+      {
+        const std::lock_guard lock(mutex_);
+        work.status = std::exchange(waiting_status_, std::nullopt);
+        work.events = std::exchange(events_, {});
+        work.particle_spacing = particle_spacing_;
+      }
+      if (work.snapshot || work.status || !work.events.empty()) return true;
+      if (last_round) return false;
+      signal_.wait(seen);
+    }
+  }
+
+  void wake() {
+    ++signal_;
+    signal_.notify_one();
   }
 
   void publish(const Work& work) {
@@ -237,7 +238,7 @@ class FramePublisher::Implementation {
     {
       const std::lock_guard lock(mutex_);
       status.frames_published = counters_.published;
-      status.frames_dropped = counters_.dropped;
+      status.frames_dropped = dropped_;
     }
     const wire::StatusSample sample(status, source_, frame_);
     count_write(status_writer_.write(&sample.get()), "status");
@@ -257,11 +258,14 @@ class FramePublisher::Implementation {
     ++counters_.failed;
   }
 
-  /// Needs the lock. Gives back what is too much to keep.
-  std::unique_ptr<Snapshot> keep_spare(std::unique_ptr<Snapshot> snapshot) {
-    if (spare_.size() >= kMostSpareSnapshots) return snapshot;
-    spare_.push_back(std::move(snapshot));
-    return nullptr;
+  void keep_spare(std::unique_ptr<Snapshot> snapshot) {
+    for (std::atomic<Snapshot*>& slot : spare_) {
+      Snapshot* empty = nullptr;
+      if (!snapshot || slot.compare_exchange_strong(empty, snapshot.get())) {
+        (void)snapshot.release();
+        return;
+      }
+    }
   }
 
   const std::uint64_t source_;
@@ -279,14 +283,17 @@ class FramePublisher::Implementation {
   wire::OceanFrameSample frame_sample_;
   Clock::time_point last_status_{};
 
+  // The mailbox: no locks, since a thread that holds one may lose its core to the very thread that waits for it.
+  std::atomic<Snapshot*> waiting_{nullptr};
+  std::array<std::atomic<Snapshot*>, kMostSpareSnapshots> spare_{};
+  std::atomic<int> signal_{0};  // goes up when there is something to do
+  std::atomic<bool> stop_{false};
+  std::atomic<std::uint64_t> submitted_{0};
+  std::atomic<std::uint64_t> dropped_{0};
   std::atomic<double> handover_us_{0.0};  // sum
   std::atomic<double> handover_us_peak_{0.0};
 
-  mutable std::mutex mutex_;  // guards what follows; held for moves of pointers only
-  std::condition_variable work_;
-  bool stop_ = false;
-  std::unique_ptr<Snapshot> waiting_;
-  std::vector<std::unique_ptr<Snapshot>> spare_;
+  mutable std::mutex mutex_;  // guards what follows; submit() and acquire() do without
   std::optional<ServerStatus> waiting_status_;
   std::deque<Event> events_;
   double particle_spacing_ = 0.0;
