@@ -7,9 +7,11 @@ layout(std140, binding = 0) uniform View {
   vec4 size;           // picture: width, height, 1/width, 1/height
   vec4 fluid_size;     // fluid buffers: width, height (guard band included), tangents of their half fields of view
   vec4 fluid;          // focal length of the fluid buffers in pixels, particle spacing, -, -
-  vec4 level;          // z of the mean water level relative to the eye, display time modulo an hour, visibility (m), foam
+  vec4 level;          // z of the mean water level relative to the eye, display time modulo an hour, visibility (m), folding
+                       // of the open sea below which crests break
   vec4 patch_box;      // simulated patch: min x, min y, max x, max y relative to the eye
-  vec4 patch_blend;    // present (0 or 1), distance from the edge where the patch starts to show, where it is all, -
+  vec4 patch_blend;    // present (0 or 1), distance from the edge where the patch starts to show, where it is all;
+                       // standard deviation of the folding
   vec4 sun;            // direction to the sun; w: strength
   vec4 wave_axis;      // main direction of the waves x, y; ripple slope scale; wind speed (m/s)
   vec4 ripple_eye;     // the eye in wave axes modulo the detail's period; unused

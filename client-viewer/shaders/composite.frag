@@ -167,7 +167,9 @@ void main() {
   } else if (water > 0.0) {
     vec2 slope = open_sea.yz + weight * fluid_here.yz;
     vec3 p = d / water;
-    float crest_foam = level.w * smoothstep(0.42, 0.05, open_sea.w) * (1.0 - weight);
+    // Crests break where the waves fold the surface most; in the patch its own slopes stand for its longer waves.
+    float fold = open_sea.w - 0.7 * weight * length(fluid_here.yz);
+    float crest_foam = 0.82 * smoothstep(level.w + 0.5 * patch_blend.w, level.w - 1.3 * patch_blend.w, fold);
     float foam = crest_foam + weight * fluid_here.w + hull_foam(p.xy);
     colour = shade_water(d, water, slope, foam, p.z - level.x, uv, solid);
   } else {

@@ -111,7 +111,7 @@ SceneInfo synthetic_scene() {
   scene.frame_interval = kFrameInterval;
   scene.particle_spacing = kSpacing;
   scene.tank = {{-48.0, -36.0, -5.0}, {48.0, 36.0, 4.0}};
-  scene.far_sea = make_wave_components({.beaufort = 4, .wave_to_deg = 60.0, .components = 24, .seed = 3});
+  scene.far_sea = make_wave_components({.beaufort = 5, .wave_to_deg = 60.0, .components = 24, .seed = 3});
   scene.bodies.push_back({1, "coaster", "coaster_hull.obj", 1.0});
   return scene;
 }
