@@ -135,7 +135,7 @@ TEST(MeshQuery, AgreesWithTheSphere) {
   const double radius = 2.0;
   const MeshQuery query(make_sphere(radius, 60));
   SplitMix64 random(3);
-  for (int n = 0; n < 2000; ++n) {
+  for (int n = 0; n < 1000; ++n) {
     const Eigen::Vector3d point(5 * random.next_unit() - 2.5, 5 * random.next_unit() - 2.5,
                                 5 * random.next_unit() - 2.5);
     const double depth = radius - point.norm();

@@ -1,5 +1,6 @@
 #include "rigid/body_shape.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -15,38 +16,57 @@ constexpr double kLeastDistance = 0.82;     ///< between samples, in spacings: o
 constexpr std::size_t kMostCandidates = 8'000'000;
 constexpr double kDistanceSlack = 0.98;  ///< a candidate nearer to the surface than this part of its inset is dropped
 
-/// Calls visit(point, inward normal) for points spread over the surface: on a triangular grid in each triangle, corners
-/// and edges included. Normals at corners and edges are averages, so that reentrant edges are covered as well.
+/// A triangle standing on its longest edge: base from `left` to `right`, apex above. Long thin triangles, which hulls
+/// are full of, so get as many points as their area asks for.
+struct StandingTriangle {
+  Eigen::Vector3d left, right, apex;
+  double base = 0.0;
+  int rows = 1;
+
+  StandingTriangle(const TriangleMesh& mesh, std::size_t t, double step) {
+    std::size_t longest = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+      if (const double length = (mesh.corner(t, (c + 1) % 3) - mesh.corner(t, c)).norm(); length > base) {
+        base = length;
+        longest = c;
+      }
+    left = mesh.corner(t, longest);
+    right = mesh.corner(t, (longest + 1) % 3);
+    apex = mesh.corner(t, (longest + 2) % 3);
+    const double height = (right - left).cross(apex - left).norm() / base;
+    rows = static_cast<int>(std::min(std::ceil(height / step), 1e6));
+    rows = std::max(rows, 1);
+  }
+};
+
+/// Calls visit(point, inward normal, is_corner) for points spread over the surface: in rows over each triangle, corners
+/// and edges included; then each corner with the average of its normals, so that reentrant edges are covered as well.
 template <class Visit>
 void for_each_surface_point(const TriangleMesh& mesh, double step, Visit&& visit) {
-  const auto normal_of = [&](std::size_t t) {
-    const Eigen::Vector3d along = mesh.corner(t, 1) - mesh.corner(t, 0);
-    return Eigen::Vector3d(along.cross(mesh.corner(t, 2) - mesh.corner(t, 0)).normalized());
-  };
   std::vector<Eigen::Vector3d> corner_normal(mesh.vertices.size(), Eigen::Vector3d::Zero());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const std::uint32_t v : mesh.triangles[t]) corner_normal[v] += normal_of(t);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Eigen::Vector3d a = mesh.corner(t, 0), ab = mesh.corner(t, 1) - a, ac = mesh.corner(t, 2) - a;
-    const Eigen::Vector3d normal = normal_of(t);
-    const double longest = std::max({ab.norm(), ac.norm(), (ac - ab).norm()});
-    const int parts = std::max(1, static_cast<int>(std::ceil(longest / step)));
-    for (int i = 0; i <= parts; ++i)
-      for (int j = 0; i + j <= parts; ++j)
-        visit(Eigen::Vector3d(a + ab * (static_cast<double>(i) / parts) + ac * (static_cast<double>(j) / parts)),
-              Eigen::Vector3d(-normal));
+    const StandingTriangle triangle(mesh, t, step);
+    const Eigen::Vector3d normal = (triangle.right - triangle.left).cross(triangle.apex - triangle.left).normalized();
+    for (const std::uint32_t v : mesh.triangles[t]) corner_normal[v] += normal;
+    for (int row = 0; row <= triangle.rows; ++row) {
+      const double up = static_cast<double>(row) / triangle.rows;
+      const Eigen::Vector3d start = triangle.left + up * (triangle.apex - triangle.left);
+      const Eigen::Vector3d way = (1.0 - up) * (triangle.right - triangle.left);
+      const int parts = std::max(1, static_cast<int>(std::ceil(way.norm() / step)));
+      for (int part = 0; part <= parts; ++part)
+        visit(Eigen::Vector3d(start + way * (static_cast<double>(part) / parts)), Eigen::Vector3d(-normal), false);
+    }
   }
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    if (corner_normal[v].norm() > 1e-9) visit(mesh.vertices[v], Eigen::Vector3d(-corner_normal[v].normalized()));
+    if (corner_normal[v].norm() > 1e-9) visit(mesh.vertices[v], Eigen::Vector3d(-corner_normal[v].normalized()), true);
 }
 
-/// How many points for_each_surface_point will visit.
+/// How many points for_each_surface_point will visit, at most.
 double count_surface_points(const TriangleMesh& mesh, double step) {
   double count = static_cast<double>(mesh.vertices.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Eigen::Vector3d a = mesh.corner(t, 0), ab = mesh.corner(t, 1) - a, ac = mesh.corner(t, 2) - a;
-    const double parts = std::max(1.0, std::ceil(std::max({ab.norm(), ac.norm(), (ac - ab).norm()}) / step));
-    count += 0.5 * (parts + 1.0) * (parts + 2.0);
+    const StandingTriangle triangle(mesh, t, step);
+    count += (triangle.rows + 1.0) * (0.5 * triangle.base / step + 2.0);
   }
   return count;
 }
@@ -56,7 +76,7 @@ std::vector<Eigen::Vector3d> make_candidates(const TriangleMesh& mesh, const Mes
                                              double inset) {
   const double tiny = 1e-9 * surface.bounding_box().sizes().maxCoeff();
   std::vector<Eigen::Vector3d> candidates;
-  for_each_surface_point(mesh, step, [&](const Eigen::Vector3d& point, const Eigen::Vector3d& inward) {
+  for_each_surface_point(mesh, step, [&](const Eigen::Vector3d& point, const Eigen::Vector3d& inward, bool is_corner) {
     if (inset <= 0.0) {
       candidates.push_back(point);
       return;
@@ -65,8 +85,9 @@ std::vector<Eigen::Vector3d> make_candidates(const TriangleMesh& mesh, const Mes
     if (!std::isfinite(thickness)) return;  // an averaged normal may point out of a thin corner
     const double depth = std::min(inset, 0.5 * thickness);
     const Eigen::Vector3d candidate = point + depth * inward;
-    if (depth > tiny && surface.distance(candidate, inset) >= kDistanceSlack * depth && surface.inside(candidate))
-      candidates.push_back(candidate);
+    if (depth <= tiny || surface.distance(candidate, inset) < kDistanceSlack * depth) return;
+    // Before its first meeting with the surface a ray from a face inwards is inside; an average may point outwards.
+    if (!is_corner || surface.inside(candidate)) candidates.push_back(candidate);
   });
   return candidates;
 }
