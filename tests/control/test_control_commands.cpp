@@ -154,6 +154,18 @@ TEST_F(ControlCommands, PauseResumeStepAndClearWindArrive) {
   EXPECT_TRUE(std::holds_alternative<ClearWind>(all[4]));
 }
 
+/// What docs/control.md shows to those who write a station of their own.
+TEST_F(ControlCommands, TheBytesOfTheDocumentationPause) {
+  RawStation station(port());
+  station.send_bytes(std::string("\0\0\0\x04\x08\x01\x32\0", 8));
+  const auto reply = station.read();
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->response().id(), 1u);
+  EXPECT_TRUE(reply->response().has_accepted());
+  ASSERT_EQ(commands().size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<PauseSimulation>(commands()[0]));
+}
+
 TEST_F(ControlCommands, WindInEachOfItsThreeForms) {
   proto::v1::Wind wind;
   wind.set_speed(12.0);
