@@ -78,6 +78,17 @@ TEST_F(ControlAbuse, RandomBytesNeverHarm) {
   expect_unharmed();
 }
 
+TEST_F(ControlAbuse, StringsThatAreNotTextDoNotReachStderr) {
+  testing::internal::CaptureStderr();
+  {
+    RawStation station(port());
+    station.send_bytes(RawStation::frame("\x12\x04\x12\x02\xff\xfe"));  // hello { station: <not UTF-8> }
+    const auto reply = station.read();
+    EXPECT_TRUE(reply && reply->response().error().code() == Error::MALFORMED);
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST_F(ControlAbuse, DeeplyNestedBytesNeverHarm) {
   std::string nested;  // groups that open and never end
   nested.assign(60000, '\x0b');

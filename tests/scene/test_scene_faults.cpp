@@ -124,6 +124,23 @@ TEST(SceneFile, RefusesWaterThatAnExplicitStepCannotKeepStable) {
   EXPECT_TRUE(read_replacing("water {", "water { kinematic_viscosity: 0.14"));
 }
 
+TEST(SceneFile, AsksForAViscosityWhereTheDefaultIsUnstable) {
+  // 0.1 d^2 / max_step = 0.001 / 0.1 = 0.01; the default would be 0.01 * 2^1.5 = 0.02828
+  const std::string weightless = "gravity: 0 time_step { max_step: 0.1 } water {";
+  EXPECT_THAT(read_replacing("water {", weightless).faults,
+              ElementsAre(AllOf(StartsWith("test.scene:4: water.kinematic_viscosity: defaults to 0.02828"),
+                                HasSubstr("give one: 0 to 0.01 m^2/s"))));
+  EXPECT_TRUE(read_replacing("water {", weightless + " kinematic_viscosity: 0.009"));
+}
+
+TEST(SceneFile, TakesItsNameFromTheFile) {
+  std::string text = test::kValid;
+  text.replace(0, text.find('\n'), "");
+  const SceneResult result = read_scene_text(text, "/some/my scene (1).scene");
+  ASSERT_TRUE(result) << result.report();
+  EXPECT_EQ(result.scene->name, "my_scene__1_");
+}
+
 TEST(SceneFile, RefusesDensityAndSettlingOutOfRange) {
   EXPECT_THAT(read_replacing("water {", "water { rest_density: 1 settle_steps: -1").faults,
               ElementsAre(HasSubstr("water.rest_density: 1 is out of range; allowed: 500 to 2000 kg/m^3"),

@@ -103,9 +103,8 @@ std::optional<proto::v1::Event> ControlClient::next_event(std::chrono::milliseco
 void ControlClient::send(const std::string& framed, Clock::time_point deadline) {
   bool sent = false;
   io_.restart();
-  asio::async_write(socket_, asio::buffer(framed), [&](error_code error, std::size_t) {
-    sent = true;
-    if (error && failure_.empty() && responses_.empty()) failure_ = error.message();
+  asio::async_write(socket_, asio::buffer(framed), [&](error_code, std::size_t) {
+    sent = true;  // if it failed, reading tells why: the server may have said it before it closed
   });
   while (!sent) {
     if (io_.run_one_until(deadline) > 0) continue;

@@ -1,5 +1,7 @@
 #include "control/control_server.hpp"
 
+#include <google/protobuf/stubs/logging.h>
+
 #include <algorithm>
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
@@ -63,6 +65,8 @@ class ControlServer::Impl {
  public:
   Impl(const ControlOptions& options, ControlHooks hooks)
       : options_(options), hooks_(std::move(hooks)), log_(hooks_.log), acceptor_(listen(io_, options)), retry_(io_) {
+    // Protobuf writes a line to stderr for each string that is not UTF-8; we count and log such requests ourselves.
+    google::protobuf::SetLogHandler(nullptr);
     context_.gone = [this](Station& station) { forget(station); };
     port_ = acceptor_.local_endpoint().port();
     accept_next();

@@ -148,6 +148,7 @@ void Station::set_deadline() {
 void Station::on_deadline() {
   if (!socket_.is_open() || deadline_.expiry() > Clock::now()) return;
   if (closing_) return close();
+  if (subscribed_ && !message_begun_) return;  // subscribed while this was on its way
   if (message_begun_) {
     ++context_.counters.malformed;
     context_.log.write(LogLevel::kWarning, name_ + " did not complete a message it had begun");

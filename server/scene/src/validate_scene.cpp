@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "messages/read_wind.hpp"
 #include "scene.pb.h"
@@ -28,14 +29,15 @@ std::string describe(const Eigen::Vector3d& v) {
 }
 std::string describe(const Box& box) { return describe(box.min) + " to " + describe(box.max); }
 
+bool is_name_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+}
+
 std::string read_name(const FieldReader& reader, const SceneSource& source) {
-  std::string name = source.default_name;
+  std::string name = source.default_name.substr(0, 64);
+  std::replace_if(name.begin(), name.end(), std::not_fn(is_name_character), '_');
   if (!reader.read("name", 64, name)) return name;
-  const auto allowed = [](unsigned char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
-           c == '.';
-  };
-  if (!std::all_of(name.begin(), name.end(), allowed)) {
+  if (!std::all_of(name.begin(), name.end(), is_name_character)) {
     reader.fault("name", "\"" + name + "\" holds other characters than allowed: A-Z a-z 0-9 _ - .");
   }
   return name;
@@ -157,6 +159,12 @@ FluidSettings read_water(const FieldReader& reader, const Basis& basis, const st
   water.read("kinematic_viscosity",
              {0.0, largest_viscosity, "m^2/s", "0.1 d^2 / max_step: above it a step is unstable"},
              fluid.kinematic_viscosity);
+  const double default_viscosity = 0.01 * std::pow(basis.spacing.value_or(0.0) / 0.05, 1.5);
+  if (!water.has("kinematic_viscosity") && default_viscosity > largest_viscosity) {
+    water.fault("kinematic_viscosity", "defaults to " + format_number(default_viscosity) +
+                                           ", too much for so long a step; give one: 0 to " +
+                                           format_number(largest_viscosity) + " m^2/s");
+  }
   water.read("settle_steps", {0, 5000}, fluid.settle_steps);
   read_blocks(water, basis, tank, fluid);
   return fluid;

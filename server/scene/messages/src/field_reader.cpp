@@ -51,6 +51,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+bool is_control(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < 0x20 || byte == 0x7f;
+}
+
 std::string allowed_text(const Range& range) {
   std::string text = "allowed: " + format_number(range.min);
   text += range.max >= std::numeric_limits<double>::max() ? " or more" : " to " + format_number(range.max);
@@ -166,9 +171,9 @@ bool FieldReader::read(const char* name, bool& value) const {
 bool FieldReader::read(const char* name, std::size_t max_length, std::string& value) const {
   if (!has(name)) return false;
   const std::string given = message_->GetReflection()->GetString(*message_, &field(name));
-  if (given.empty() || given.size() > max_length || given.find('\0') != std::string::npos) {
+  if (given.empty() || given.size() > max_length || std::any_of(given.begin(), given.end(), is_control)) {
     fault(name, "has " + std::to_string(given.size()) + " characters; allowed: 1 to " + std::to_string(max_length) +
-                    ", none of them a zero byte");
+                    ", none of them a control character");
     return false;
   }
   value = given;
