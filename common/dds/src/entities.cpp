@@ -180,3 +180,9 @@ void DdsWaitSet::wait(std::chrono::milliseconds timeout) {
 void DdsWaitSet::wake() { dds_set_guardcondition(guard_.get(), true); }
 
 }  // namespace pelagos
+
+#if defined(__SANITIZE_THREAD__)
+// The DDS library synchronizes with atomics that ThreadSanitizer cannot see in a library built without it. For every
+// program that uses DDS.
+extern "C" const char* __tsan_default_suppressions() { return "called_from_lib:libddsc.so\nrace:libddsc.so\n"; }
+#endif
