@@ -1,6 +1,7 @@
 #include "fluid_stages.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "solve_passes.hpp"
 
@@ -25,6 +26,7 @@ void permute(TaskPool& pool, std::span<const std::uint32_t> order, std::vector<T
 void sort_moving_walls(TaskPool& pool, FluidState& state) {
   BoundaryParticles& walls = state.walls;
   const std::size_t moving = state.moving_position.size();
+  assert(state.moving_velocity.size() == moving);
   if (moving == 0) return;
   state.moving_grid.sort(pool, state.moving_position, state.order);
   walls.count = state.static_walls + moving;

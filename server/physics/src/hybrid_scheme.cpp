@@ -104,6 +104,7 @@ void settle_fluid(TaskPool& pool, FluidState& state, int steps) {
     apply_correction(pool, state, 0.0);
   }
   std::fill(state.particles.density_pressure.begin(), state.particles.density_pressure.end(), 0.0F);
+  if (steps > 0) start_acceleration(pool, state, report);  // the sort does not carry the accelerations along
 }
 
 }  // namespace pelagos

@@ -241,7 +241,10 @@ bool limit_instruction_set(const char* name) {
   if (wanted == "baseline") disabled = HWY_AVX3 | HWY_AVX2 | HWY_SSE4;
   if (disabled < 0) return false;
   hwy::DisableTargets(disabled);
-  return wanted != "avx512" || std::string_view(instruction_set()) == "AVX3";
+  const std::string_view runs = instruction_set();
+  if (wanted == "avx512") return runs == "AVX3";
+  if (wanted == "avx2") return runs == "AVX2";
+  return wanted != "sse4" || runs == "SSE4";
 }
 
 }  // namespace pelagos

@@ -105,13 +105,14 @@ StateSums measure_state_impl(std::size_t begin, std::size_t end, const StateArra
     const float next2 = nx * nx + ny * ny + nz * nz;
     speed += v2;
     height += x.z;
-    largest_speed = next2 > largest_speed ? next2 : largest_speed;
     const float excess = a.density[i] - 1.0F;
     compression += excess > 0.0F ? excess : 0.0F;
     largest_density = a.density[i] > largest_density ? a.density[i] : largest_density;
     // Written so that NaN counts as outside and not finite.
     const bool inside = (x.x >= x0) & (x.x <= x1) & (x.y >= y0) & (x.y <= y1) & (x.z >= z0) & (x.z <= z1);
     const bool finite = (next2 < 1e30F) & (x.x * x.x + x.y * x.y + x.z * x.z < 1e30F) & (a.density[i] < 1e30F);
+    // A runaway must not bring the next step's size to zero: it is reported, and left out of the speed.
+    largest_speed = finite & (next2 > largest_speed) ? next2 : largest_speed;
     outside += inside ? 0U : 1U;
     not_finite += finite ? 0U : 1U;
   }

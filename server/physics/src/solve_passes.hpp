@@ -44,7 +44,7 @@ SolveSums move(std::size_t begin, std::size_t end, const SolveArrays& a, float t
 struct StateSums {
   float speed_squared = 0;          ///< sum |v|^2
   float height = 0;                 ///< sum z
-  float largest_speed_squared = 0;  ///< max |v + dt a|^2
+  float largest_speed_squared = 0;  ///< max |v + dt a|^2 of the finite particles
   float compression = 0;            ///< sum max(delta - 1, 0)
   float largest_density = 0;
   std::uint32_t outside = 0;

@@ -61,8 +61,9 @@ struct FluidState {
                                     std::span<const Float4> positions);
 
 /// Advances the water by dt with the chosen scheme: predict, sort, search, constraints. The accelerations of the last
-/// step act; moving walls are read from moving_position / moving_velocity, which hold their state at the end of the
-/// step.
+/// step act (gravity in the first one). Successive steps should be of like size: a repair u of the density, about
+/// tolerance times spacing, becomes the velocity u / dt, so a step of a hundredth of the last one adds energy. Moving
+/// walls are read from moving_position / moving_velocity, which hold their state at the end of the step.
 void advance_fluid(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report);
 
 /// Gravity and viscosity into particles.acceleration; other forces are added by their own layers afterwards.
@@ -72,7 +73,8 @@ void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report);
 void measure_fluid(TaskPool& pool, const FluidState& state, double dt, StepReport& report);
 
 /// Position-only relaxation: moves particles until the density constraint holds, without giving them velocity. Removes
-/// the jump that a fresh lattice against sampled walls (6 % too dense) would make in its first step.
+/// the jump that a fresh lattice against sampled walls (6 % too dense) would make in its first step. The accelerations
+/// are gravity and viscosity afterwards.
 void settle_fluid(TaskPool& pool, FluidState& state, int steps);
 
 /// The largest admissible time step for the coming step: min(max_step, cfl d / max|v + dt a|).

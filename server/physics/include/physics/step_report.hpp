@@ -68,7 +68,7 @@ struct StepReport {
   double largest_density = 0.0;   ///< max of delta
   double kinetic_energy = 0.0;    ///< J
   double potential_energy = 0.0;  ///< J, from z = 0
-  double largest_speed = 0.0;     ///< m/s, of |v + dt a|: what the next step's size must respect
+  double largest_speed = 0.0;     ///< m/s, of |v + dt a|: what the next step's size must respect; finite particles only
   std::uint64_t pairs = 0;        ///< directed fluid pairs
   std::uint32_t pair_passes = 0;  ///< passes over all pairs
   std::uint32_t long_rows = 0;    ///< particles whose neighbours took the slow path
