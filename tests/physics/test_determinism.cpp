@@ -7,7 +7,7 @@ namespace {
 
 /// The hash after settling and after each step. More particles than one block of any loop holds (2048).
 std::vector<std::uint64_t> history(int threads, SolveMethod method, int steps) {
-  WaterScene water = small_dam_break(threads, {16, 11, 18});
+  WaterScene water = small_dam_break(threads, {13, 10, 17});
   EXPECT_GT(water.state.particles.count, 2048U);
   water.state.parameters.density.method = water.state.parameters.divergence.method = method;
   settle_fluid(water.pool, water.state, 5);
