@@ -1,0 +1,207 @@
+#include "simulation/world.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace pelagos {
+namespace {
+
+/// A closed cube of one metre about its origin, as a mesh file that goes away with the test.
+class CubeFile {
+ public:
+  CubeFile() : path_(std::filesystem::temp_directory_path() / ("pelagos_cube_" + std::to_string(getpid()) + ".obj")) {
+    std::ofstream file(path_);
+    for (const double z : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5})
+        for (const double x : {-0.5, 0.5}) file << "v " << x << ' ' << y << ' ' << z << '\n';
+    file << "f 1 3 4\nf 1 4 2\nf 5 6 8\nf 5 8 7\nf 1 2 6\nf 1 6 5\nf 3 7 8\nf 3 8 4\nf 1 5 7\nf 1 7 3\nf 2 4 8\nf 2 8 "
+            "6\n";
+  }
+  ~CubeFile() { std::filesystem::remove(path_); }
+  CubeFile(const CubeFile&) = delete;
+  CubeFile& operator=(const CubeFile&) = delete;
+  [[nodiscard]] std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// 5 x 4 x 1 m of water in a basin, d = 0.25 m: 19 x 15 x 4 = 1140 particles.
+Scene basin() {
+  Scene scene;
+  scene.name = "basin";
+  scene.particle_spacing = 0.25;
+  scene.tank = {{0, 0, 0}, {5, 4, 3}};
+  scene.water.blocks = {{{0, 0, 0}, {5, 4, 1.25}}};
+  scene.water.settle_steps = 50;
+  return scene;
+}
+
+Scene basin_with_cube(const CubeFile& cube) {
+  Scene scene = basin();
+  BodySettings body;
+  body.id = 1;
+  body.name = "cube";
+  body.mesh_file = cube.path();
+  body.position = {2.5, 2.0, 0.9};
+  scene.bodies = {body};
+  return scene;
+}
+
+WindSettings breeze() {
+  WindSettings wind;
+  wind.velocity = {8, 3, 0};
+  wind.amplitude = 2;
+  wind.length = 4;
+  return wind;
+}
+
+BodyPose pose_at(double time, double x, double speed) {
+  BodyPose pose;
+  pose.body = 1;
+  pose.time = time;
+  pose.position = {x, 2.0, 0.9};
+  pose.velocity = {speed, 0, 0};
+  return pose;
+}
+
+TEST(World, RestsAtTheLevelItStates) {
+  const World world(basin(), {1, nullptr, {}});
+  // Four layers, the lowest a spacing above the floor: the level stands half a spacing above the highest.
+  EXPECT_NEAR(world.water_level(), 4.5 * 0.25, 1e-12);
+  EXPECT_EQ(world.fluid().particles.count, 1140U);
+}
+
+TEST(World, SameBitsForOneTwoAndSevenThreads) {
+  const CubeFile cube;
+  Scene scene = basin_with_cube(cube);
+  scene.wind = breeze();
+  World one(scene, {1, nullptr, {}}), two(scene, {2, nullptr, {}}), seven(scene, {7, nullptr, {}});
+  Snapshot a, b;
+  for (int step = 0; step < 60; ++step) {
+    for (World* world : {&one, &two, &seven}) {
+      if (step % 2 == 0) world->accept_pose(pose_at(0.02 * step, 2.5 + 0.01 * step, 0.5));
+      if (step == 30) {
+        WindSettings stronger = breeze();
+        stronger.velocity *= 2.0;
+        world->set_wind(stronger, 0.2);
+      }
+    }
+    WorldStep s = one.advance(), t = two.advance();
+    seven.advance();
+    ASSERT_EQ(state_hash(one.fluid().particles), state_hash(two.fluid().particles)) << "first differing step " << step;
+    ASSERT_EQ(state_hash(one.fluid().particles), state_hash(seven.fluid().particles))
+        << "first differing step " << step;
+    if (!s.frame_reached) continue;
+    one.fill_snapshot(a, s.report);
+    two.fill_snapshot(b, t.report);
+    ASSERT_EQ(a.particles.size(), b.particles.size());
+    for (std::size_t i = 0; i < a.particles.size(); ++i) {
+      ASSERT_EQ(a.particles[i].position, b.particles[i].position);
+      ASSERT_EQ(a.particles[i].semi_axes, b.particles[i].semi_axes);
+    }
+  }
+}
+
+TEST(World, FramesComeAtExactMultiples) {
+  Scene scene = basin();
+  scene.frame_interval = 0.04;
+  World world(scene, {2, nullptr, {}});
+  std::uint64_t frames = 0;
+  while (frames < 10) {
+    if (!world.advance().frame_reached) continue;
+    ++frames;
+    EXPECT_EQ(world.time(), 0.04 * static_cast<double>(frames));
+  }
+}
+
+TEST(World, WaterMakesRoomForAHullAndStaysOutOfIt) {
+  const CubeFile cube;
+  World world(basin_with_cube(cube), {2, nullptr, {}});
+  EXPECT_LT(world.fluid().particles.count, 1140U);
+  const std::size_t count = world.fluid().particles.count;
+  for (int step = 0; step < 120; ++step) {
+    world.accept_pose(pose_at(0.01 * step, 2.5, 0.0));
+    const WorldStep made = world.advance();
+    ASSERT_EQ(made.report.not_finite, 0U);
+    ASSERT_EQ(made.report.outside, 0U);
+  }
+  EXPECT_EQ(world.fluid().particles.count, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Float4& p = world.fluid().particles.position[i];
+    const Eigen::Vector3d x = Eigen::Vector3d(p.x, p.y, p.z) + world.origin() - Eigen::Vector3d(2.5, 2.0, 0.9);
+    // The samples stop water 0.6 spacings inside the surface less the usual distance of one spacing.
+    EXPECT_GT(x.cwiseAbs().maxCoeff(), 0.5 - 0.25) << "a particle deep inside the hull";
+  }
+}
+
+TEST(World, AJumpingBodyLosesNoWaterAndTrapsNone) {
+  const CubeFile cube;
+  World world(basin_with_cube(cube), {2, nullptr, {}});
+  const std::size_t count = world.fluid().particles.count;
+  world.accept_pose(pose_at(0.0, 1.0, 0.0));
+  for (int step = 0; step < 40; ++step) world.advance();
+  world.accept_pose(pose_at(10.0, 4.0, 0.0));
+  double fastest = 0.0;
+  for (int step = 0; step < 80; ++step) {
+    const WorldStep made = world.advance();
+    fastest = std::max(fastest, made.report.largest_speed);
+    ASSERT_EQ(made.report.not_finite, 0U);
+    ASSERT_EQ(made.report.outside, 0U);
+  }
+  EXPECT_EQ(world.fluid().particles.count, count);
+  // No explosion: nothing flies faster than a fall through the basin's height of 3 m.
+  EXPECT_LT(fastest, std::sqrt(2.0 * 9.81 * 3.0));
+}
+
+TEST(World, NoWindCostsNothingAndWindCarriesTheWater) {
+  World calm(basin(), {1,
+                       [] {
+                         static std::int64_t tick = 0;
+                         return ++tick;
+                       },
+                       {}});
+  EXPECT_EQ(calm.advance().report.times.ns[static_cast<std::size_t>(Stage::kWind)], 0);
+  EXPECT_FALSE(calm.wind().has_value());
+
+  Scene scene = basin();
+  scene.wind = breeze();
+  World windy(scene, {1, nullptr, {}});
+  double drift = 0.0;
+  for (int step = 0; step < 40; ++step) windy.advance();
+  for (std::size_t i = 0; i < windy.fluid().particles.count; ++i)
+    drift += static_cast<double>(windy.fluid().particles.velocity[i].x);
+  EXPECT_GT(drift / static_cast<double>(windy.fluid().particles.count), 0.0);
+}
+
+TEST(World, RefusesABodyWithoutAMesh) {
+  Scene scene = basin();
+  BodySettings body;
+  body.id = 4;
+  body.name = "ghost";
+  body.mesh_file = "/nowhere/ghost.obj";
+  scene.bodies = {body};
+  try {
+    const World world(scene, {1, nullptr, {}});
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("ghost"), std::string::npos) << error.what();
+  }
+}
+
+TEST(World, AcceptsPosesOfItsBodiesOnly) {
+  const CubeFile cube;
+  World world(basin_with_cube(cube), {1, nullptr, {}});
+  EXPECT_TRUE(world.accept_pose(pose_at(0.0, 2.5, 0.0)));
+  BodyPose stranger = pose_at(0.1, 2.5, 0.0);
+  stranger.body = 9;
+  EXPECT_FALSE(world.accept_pose(stranger));
+  EXPECT_FALSE(world.accept_pose(pose_at(0.0, 2.5, 0.0))) << "not newer than the last one";
+}
+
+}  // namespace
+}  // namespace pelagos
