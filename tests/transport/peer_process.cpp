@@ -37,7 +37,9 @@ void run_server(const DdsSettings& settings, Clock::time_point end) {
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
-  const DdsSettings settings{static_cast<std::uint32_t>(std::atoi(argv[2])), "", {}};
+  const DdsSettings settings{static_cast<std::uint32_t>(std::atoi(argv[2])), "", [](std::string_view line) {
+                               std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
+                             }};
   const auto end = Clock::now() + std::chrono::seconds(60);
   std::string(argv[1]) == "server" ? run_server(settings, end) : run_viewer(settings, end);
   return 0;
