@@ -282,7 +282,8 @@ TEST_F(HostileWriter, FramesWithFaultsAreRefusedAndCounted) {
 
 TEST_F(HostileWriter, SceneWithFaultsIsRefused) {
   const DdsWriter writer(*participant_, topics::scene_info());
-  const wire::SceneInfoSample good(test_scene(), 99);
+  const SceneInfo scene = test_scene();  // the sample points into it
+  const wire::SceneInfoSample good(scene, 99);
   std::vector<pelagos_SceneInfoV1> bad(4, good.get());
   bad[0].particle_spacing = 0.0;
   bad[1].frame_interval = std::numeric_limits<double>::quiet_NaN();
