@@ -15,6 +15,9 @@ namespace {
 
 constexpr double kStandardGravity = 9.81;  ///< m/s^2, for what needs a scale where the scene has no gravity
 
+/// Part of the largest time step below which speeds no longer shorten it: one runaway particle must not stop the clock.
+constexpr double kSmallestStep = 0.02;
+
 constexpr int kSettleChunk = 10;  ///< steps between reports of progress
 
 /// Local zero: the middle of the tank's floor area at its lower z, so that floats keep their digits near the ship.
@@ -105,7 +108,8 @@ WorldStep World::advance() {
 
 double World::choose_time_step() const {
   const double speed = std::max(largest_speed_, bodies_.largest_speed());
-  return clock_.choose_step(admissible_time_step(fluid_.parameters, scene_.time_step.cfl, max_step_, speed));
+  const double step = admissible_time_step(fluid_.parameters, scene_.time_step.cfl, max_step_, speed);
+  return clock_.choose_step(std::max(step, kSmallestStep * max_step_));
 }
 
 void World::set_wind(const WindSettings& wind, double ramp_seconds) {
