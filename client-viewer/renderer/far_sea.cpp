@@ -24,7 +24,7 @@ std::vector<float> ring_radii(double height, double coarseness) {
   std::vector<float> radii = {0.0F};
   double radius = 0.0;
   while (radius < kHorizon) {
-    radius += coarseness * std::max(0.03 * std::hypot(radius, height), radius * radius / (height * 900.0));
+    radius += coarseness * std::max(0.026 * std::hypot(radius, height), radius * radius / (height * 900.0));
     radii.push_back(static_cast<float>(std::min(radius, 1.2 * kHorizon)));
   }
   return radii;

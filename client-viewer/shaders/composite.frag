@@ -24,13 +24,20 @@ vec3 tone_map(vec3 c) {
   return pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2));
 }
 
-// The fluid at full resolution: bilinear where its four texels lie on one surface, else the nearest texel.
+// The fluid at full resolution: bilinear where its four texels lie on one surface. At a silhouette the nearer or the
+// farther part alone, whichever weighs more, so that edges do not show the texels.
 vec4 fluid_at(vec2 uv) {
-  vec4 four = textureGather(fluid_surface, uv, 0);
+  vec4 four = textureGather(fluid_surface, uv, 0);  // lower left is w, lower right z, upper right y, upper left x
   float low = min(min(four.x, four.y), min(four.z, four.w)), high = max(max(four.x, four.y), max(four.z, four.w));
   if (high <= 0.0) return vec4(0.0);
-  if (low > 0.6 * high) return textureLod(fluid_surface, uv, 0.0);
-  return texelFetch(fluid_surface, ivec2(uv * fluid_size.xy), 0);
+  if (low > 0.75 * high) return textureLod(fluid_surface, uv, 0.0);
+  vec2 f = fract(uv * fluid_size.xy - 0.5);
+  vec4 weights = vec4((1.0 - f.x) * f.y, f.x * f.y, f.x * (1.0 - f.y), (1.0 - f.x) * (1.0 - f.y));
+  vec4 near = step(vec4(0.75 * high), four);
+  vec4 chosen = weights * (dot(weights, near) > 0.5 ? near : 1.0 - near);
+  chosen /= dot(chosen, vec4(1.0));
+  return vec4(dot(chosen, four), dot(chosen, textureGather(fluid_surface, uv, 1)),
+              dot(chosen, textureGather(fluid_surface, uv, 2)), dot(chosen, textureGather(fluid_surface, uv, 3)));
 }
 
 struct Detail { vec2 slope; float variance; };
@@ -100,9 +107,10 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float height, ve
   float distance_to = length(p);
   float footprint_across = 1.0 / (inverse * forward.w);
   float grazing = clamp(-p.z / distance_to, 0.01, 1.0);
-  float footprint = footprint_across * pow(grazing, -0.62);
+  float footprint = footprint_across * pow(grazing, -0.85);
   Detail detail = ripple_detail(p.xy, distance_to, footprint);
-  slope += detail.slope;
+  // on steep water the ripples' map is stretched
+  slope += detail.slope / (1.0 + 2.5 * dot(slope, slope));
   float variance = detail.variance + 0.0008 + 0.010 * wave_axis.z * wave_axis.z * smoothstep(60.0, 900.0, distance_to);
   vec3 n = normalize(vec3(-slope, 1.0));
   vec3 v = -p / distance_to;
@@ -119,12 +127,12 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float height, ve
   // the ship's mirror image in the mean level, disturbed by the slopes
   vec2 bend = vec2(dot(slope, right.xy), 0.7 * dot(slope, normalize(forward.xy + 1e-4))) * min(9.0 * inverse, 0.5);
   vec4 image = textureLod(mirrored, uv + bend * vec2(0.30, 0.42), 0.0);
-  reflection = mix(reflection, image.rgb / max(image.a, 1e-3), image.a);
+  reflection = mix(reflection, image.rgb / max(image.a, 1e-3), 0.7 * image.a);
 
   // Light that comes back out of the water, more through thin crests and where the sun stands behind them.
   vec3 deep = vec3(0.0045, 0.030, 0.062);
   vec3 shallow = vec3(0.018, 0.150, 0.170);
-  float crest = clamp(0.25 + 0.30 * height, 0.0, 1.0);
+  float crest = clamp(0.25 + 0.30 * height, 0.0, 0.75);
   float through = crest * (0.35 + 0.65 * pow(max(dot(sun.xyz, -v) * 0.5 + 0.5, 0.0), 2.0)) *
                   clamp(0.6 + 1.4 * dot(slope, v.xy), 0.15, 1.0);
   float lit = 0.55 + 0.75 * sun.w * max(dot(n, sun.xyz), 0.0);
@@ -161,16 +169,20 @@ void main() {
   float weight = fluid_here.x > 0.0 ? patch_weight(d.xy / fluid_here.x) : 0.0;
   float water = mix(open_sea.x, fluid_here.x, weight);
   if (open_sea.x <= 0.0) water = weight > 0.5 ? fluid_here.x : 0.0;
+  // A particle is about a spacing wide: water that seems to lie that thin on the dry parts of a hull is only its width.
+  if (solid > 0.0 && water > solid && d.z / solid - level.x > 1.1 &&
+      (1.0 / solid - 1.0 / water) * length(d) < 1.6 * fluid.y) water = 0.0;
   vec3 colour;
   if (solid > water) {
     colour = mix(textureLod(opaque_colour, uv, 0.0).rgb, haze_colour(d), 1.0 - exp(-length(d) / (solid * level.z)));
   } else if (water > 0.0) {
-    vec2 slope = open_sea.yz + weight * fluid_here.yz;
+    vec2 own = fluid_here.yz / (1.0 + 0.6 * length(fluid_here.yz));
+    vec2 slope = open_sea.yz + weight * own;
     vec3 p = d / water;
     // Crests break where the waves fold the surface most; in the patch its own slopes stand for its longer waves.
-    float fold = open_sea.w - 0.7 * weight * length(fluid_here.yz);
+    float fold = open_sea.w - 0.7 * weight * max(length(fluid_here.yz) - 0.12, 0.0);
     float crest_foam = 0.82 * smoothstep(level.w + 0.5 * patch_blend.w, level.w - 1.3 * patch_blend.w, fold);
-    float foam = crest_foam + weight * fluid_here.w + hull_foam(p.xy);
+    float foam = crest_foam + 0.85 * weight * fluid_here.w + hull_foam(p.xy);
     colour = shade_water(d, water, slope, foam, p.z - level.x, uv, solid);
   } else {
     colour = sky_colour(normalize(d), 0.0);

@@ -24,7 +24,7 @@ void main() {
   vec3 jacobian = vec3(0.0);  // xx, xy, yy of the horizontal displacement's gradient
   for (int i = 0; i < wave_count.x; ++i) {
     float wavelength = 2.0 * kPi / wave[i].y;
-    float fade = smoothstep(2.5, 5.0, wavelength / cell) * mix(1.0, open_water, wave_phase[i].y);
+    float fade = smoothstep(3.0, 6.5, wavelength / cell) * mix(1.0, open_water, wave_phase[i].y);
     float a = wave[i].x * fade, k = wave[i].y;
     vec2 d = wave[i].zw;
     float theta = k * dot(d, p) + wave_phase[i].x;

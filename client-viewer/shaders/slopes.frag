@@ -9,10 +9,26 @@ vec3 place(ivec2 pixel, float inverse) {
   return fluid_ray(n) / inverse;
 }
 
+// Mean of the pixel and its neighbours on the same surface: takes out the steps that the sparse filter leaves.
+float cleaned(ivec2 pixel, ivec2 last) {
+  float centre = texelFetch(fluid_inverse_depth, pixel, 0).r;
+  if (centre <= 0.0) return 0.0;
+  float sum = centre, count = 1.0;
+  const ivec2 cross_of_four[4] = ivec2[4](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
+  for (int k = 0; k < 4; k += 2) {  // in pairs, so that a tilted plane stays where it is
+    float one = texelFetch(fluid_inverse_depth, clamp(pixel + 2 * cross_of_four[k], ivec2(0), last), 0).r;
+    float other = texelFetch(fluid_inverse_depth, clamp(pixel + 2 * cross_of_four[k + 1], ivec2(0), last), 0).r;
+    if (abs(one + other - 2.0 * centre) > 0.1 * centre) continue;
+    sum += one + other;
+    count += 2.0;
+  }
+  return sum / count;
+}
+
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   ivec2 last = ivec2(fluid_size.xy) - 1;
-  float centre = texelFetch(fluid_inverse_depth, pixel, 0).r;
+  float centre = cleaned(pixel, last);
   surface = vec4(0.0);
   if (centre <= 0.0) return;
   // Steps as wide as a quarter of a particle, so that far water is not differenced below its resolution.
@@ -22,8 +38,8 @@ void main() {
   for (int k = 0; k < 2; ++k) {
     ivec2 go = k == 0 ? ivec2(wide, 0) : ivec2(0, k == 1 ? max(wide / 2, 1) : wide);
     ivec2 ahead = min(pixel + go, last), back = max(pixel - go, ivec2(0));
-    float inverse_ahead = texelFetch(fluid_inverse_depth, ahead, 0).r;
-    float inverse_back = texelFetch(fluid_inverse_depth, back, 0).r;
+    float inverse_ahead = cleaned(ahead, last);
+    float inverse_back = cleaned(back, last);
     vec3 to = inverse_ahead > 0.0 ? place(ahead, inverse_ahead) - here : vec3(1e9);
     vec3 from = inverse_back > 0.0 ? here - place(back, inverse_back) : vec3(1e9);
     float length_to = dot(to, to), length_from = dot(from, from);

@@ -18,7 +18,7 @@ void main() {
   if (vertical) sigma *= clamp(1.3 * abs(d.z) * inversesqrt(dot(d, d)), 0.2, 1.0);
   float radius = min(2.5 * sigma, widest);
   if (radius < 1.0) return;
-  float samples = min(ceil(radius), 8.0);
+  float samples = min(ceil(radius), 12.0);
   float stride = max(radius / samples, 1.0);
   // the ray's world z changes linearly along the axis
   float dz = vertical ? up.z * fluid_size.w * 2.0 / fluid_size.y : right.z * fluid_size.z * 2.0 / fluid_size.x;

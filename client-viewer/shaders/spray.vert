@@ -4,6 +4,7 @@ layout(std430, binding = 0) readonly buffer Particles { Particle particles[]; };
 out vec2 corner;
 flat out float strength;
 flat out float inverse_depth;
+flat out vec2 grain_at;  // where in the pattern, different for each drop
 void main() {
   Particle particle = particles[gl_VertexID >> 2];
   int k = gl_VertexID & 3;
@@ -12,6 +13,8 @@ void main() {
   float depth = dot(c, forward.xyz);
   strength = particle.semi_axes.w * smoothstep(0.5, 4.0, depth);
   inverse_depth = 1.0 / max(depth, 0.3);
-  float radius = 0.75 * fluid.y;
+  int drop = gl_VertexID >> 2;
+  grain_at = fract(vec2(drop * 0.754877, drop * 0.569840));  // low-discrepancy
+  float radius = (0.45 + 0.5 * grain_at.x) * fluid.y;
   gl_Position = depth < 0.3 ? vec4(0.0, 0.0, -2.0, 1.0) : project(c + radius * (corner.x * right.xyz + corner.y * up.xyz));
 }
