@@ -139,7 +139,11 @@ int main(int argc, char** argv) {
   arguments.options.threads = pelagos::describe_machine().hardware_threads;
   CLI::App& run = *app.add_subcommand("run", "Advance a scene and print speed and error as JSON");
   pelagos::add_run_options(run, arguments);
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   try {
     return pelagos::run(arguments);
   } catch (const std::exception& error) {

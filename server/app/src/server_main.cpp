@@ -94,7 +94,11 @@ int main(int argc, char** argv) {
   pelagos::Arguments arguments;
   arguments.options.threads = pelagos::describe_machine().hardware_threads;
   pelagos::add_options(app, arguments);
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   std::signal(SIGINT, pelagos::request_stop);
   std::signal(SIGTERM, pelagos::request_stop);
   std::signal(SIGPIPE, SIG_IGN);
