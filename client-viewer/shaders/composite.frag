@@ -102,7 +102,9 @@ float foam_cover(vec2 p, float amount, float footprint) {
   return clamp(amount, 0.0, 1.0) * smoothstep(1.0 - 0.95 * amount, 1.35 - 0.75 * amount, pattern + 0.15);
 }
 
-vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float height, vec2 uv, float behind_inverse) {
+// `flatness` 0: the surface stands up against the view there, and a map of ripples would show contour rings.
+vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float height, vec2 uv, float behind_inverse,
+                 float flatness) {
   vec3 p = d / inverse;
   float distance_to = length(p);
   float footprint_across = 1.0 / (inverse * forward.w);
@@ -110,7 +112,7 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float height, ve
   float footprint = footprint_across * pow(grazing, -0.85);
   Detail detail = ripple_detail(p.xy, distance_to, footprint);
   // on steep water the ripples' map is stretched
-  slope += detail.slope / (1.0 + 2.5 * dot(slope, slope));
+  slope += flatness * detail.slope / (1.0 + 2.5 * dot(slope, slope));
   float variance = detail.variance + 0.0008 + 0.010 * wave_axis.z * wave_axis.z * smoothstep(60.0, 900.0, distance_to);
   vec3 n = normalize(vec3(-slope, 1.0));
   vec3 v = -p / distance_to;
@@ -172,6 +174,12 @@ void main() {
   // A particle is about a spacing wide: water that seems to lie that thin on the dry parts of a hull is only its width.
   if (solid > 0.0 && water > solid && d.z / solid - level.x > 1.1 &&
       (1.0 / solid - 1.0 / water) * length(d) < 1.6 * fluid.y) water = 0.0;
+  // How fast the place on the water recedes from one line to the next, against level water.
+  vec2 place = d.xy / max(water, 1e-5);
+  vec2 ahead = forward.xy / max(length(forward.xy), 1e-3);
+  float level_step = length(d) / (max(water, 1e-5) * forward.w * clamp(-d.z / length(d), 0.01, 1.0));
+  float flatness = smoothstep(0.04, 0.30, dot(dFdy(place), ahead) / level_step);
+  if (abs(forward.z) > 0.7) flatness = 1.0;  // seen from above
   vec3 colour;
   if (solid > water) {
     colour = mix(textureLod(opaque_colour, uv, 0.0).rgb, haze_colour(d), 1.0 - exp(-length(d) / (solid * level.z)));
@@ -183,7 +191,7 @@ void main() {
     float fold = open_sea.w - 0.7 * weight * max(length(fluid_here.yz) - 0.12, 0.0);
     float crest_foam = 0.82 * smoothstep(level.w + 0.5 * patch_blend.w, level.w - 1.3 * patch_blend.w, fold);
     float foam = crest_foam + 0.85 * weight * fluid_here.w + hull_foam(p.xy);
-    colour = shade_water(d, water, slope, foam, p.z - level.x, uv, solid);
+    colour = shade_water(d, water, slope, foam, p.z - level.x, uv, solid, flatness);
   } else {
     colour = sky_colour(normalize(d), 0.0);
     colour = mix(colour, haze_colour(d), exp(-abs(d.z) / length(d) * 30.0));
