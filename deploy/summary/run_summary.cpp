@@ -102,7 +102,11 @@ ordered_json summarise(const RunFiles& files, const RunFacts& facts, const std::
       {"server", files.server},
       {"viewers", files.channels},
       {"bridge", {{"poses_sent", files.poses.sent}, {"poses_failed", files.poses.failed}}},
-      {"control", {{"status_before", files.status_before}, {"status_after", files.status_after}}},
+      {"control",
+       {{"wind_before", files.status_before.value("wind", ordered_json())},
+        {"wind_after", files.status_after.value("wind", ordered_json())},
+        {"status_before", files.status_before},
+        {"status_after", files.status_after}}},
       {"pictures", picture_list(files)},
       {"faults", faults},
   };

@@ -97,8 +97,8 @@ void check_viewers(const json& summary) {
 }
 
 void check_control(const json& control) {
-  const double before = control.at("status_before").at("wind").at("speed");
-  const double after = control.at("status_after").at("wind").at("speed");
+  const double before = control.at("wind_before").at("speed");
+  const double after = control.at("wind_after").at("speed");
   EXPECT_GT(after, before + 1.0);  // Beaufort 5 is about 9 m/s, 7 about 16
   EXPECT_GT(control.at("status_after").at("frame"), control.at("status_before").at("frame"));
 }
