@@ -12,11 +12,14 @@ ports_in_use() {
   done
 }
 
+# any_port_in_use PROTOCOL FIRST COUNT
+any_port_in_use() {
+  ports_in_use "$1" | awk -v first="$2" -v count="$3" '$1 >= first && $1 < first + count {found = 1} END {exit !found}'
+}
+
 # DDS gives domain N the 250 UDP ports from 7400 + 250 N on.
 domain_is_quiet() {
-  local domain=$1 first=$((7400 + 250 * $1))
-  ! ports_in_use udp | awk -v first="$first" '$1 >= first && $1 < first + 250 {found = 1} END {exit !found}' &&
-    ! ports_in_use tcp | grep -qx "$((FIRST_PORT + domain))"
+  ! any_port_in_use udp $((7400 + 250 * $1)) 250 && ! any_port_in_use tcp $((FIRST_PORT + $1)) 1
 }
 
 # Sets DOMAIN and PORT. A file that stays locked while this shell lives keeps other demos, of any user, out of the
@@ -26,7 +29,7 @@ claim_domain() {
   for ((i = 0; i < count; ++i)); do
     DOMAIN=$((FIRST_DOMAIN + ($$ + i) % count))
     lock=/tmp/pelagos-demo-domain-$DOMAIN.lock
-    { exec 7>"$lock"; } 2>/dev/null && flock --nonblock 7 || continue
+    { exec 7>>"$lock"; } 2>/dev/null && flock --nonblock 7 || continue
     if domain_is_quiet "$DOMAIN"; then
       PORT=$((FIRST_PORT + DOMAIN))
       return 0
