@@ -239,7 +239,7 @@ TEST(CtlAlone, HelpHasExamplesAndVersionTells) {
 /// The program itself, as a shell calls it.
 TEST_F(Ctl, TheBinarySpeaksToARunningServer) {
   const std::string command =
-      std::string(PELAGOS_CTL) + " --server 127.0.0.1:" + std::to_string(port()) + " status --json 2>&1";
+      "'" + std::string(PELAGOS_CTL) + "' --server 127.0.0.1:" + std::to_string(port()) + " status --json 2>&1";
   FILE* pipe = ::popen(command.c_str(), "r");
   ASSERT_NE(pipe, nullptr);
   std::string out;
