@@ -70,7 +70,6 @@ void sort_particles(TaskPool& pool, FluidState& state) {
   permute(pool, state.order, p.position, state.sorted_record);
   permute(pool, state.order, p.velocity, state.sorted_record);
   permute(pool, state.order, p.density_pressure, state.sorted_scalar);
-  permute(pool, state.order, p.divergence_pressure, state.sorted_scalar);
   permute(pool, state.order, p.id, state.sorted_id);
 }
 

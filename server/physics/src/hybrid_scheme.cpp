@@ -11,7 +11,12 @@ namespace pelagos {
 //  constraint_solve.hpp;
 //    the paper leaves clamping, relaxation and warm start open;
 //  - the velocity follows the summed corrections, v = v* + u / dt; the difference of positions would lose digits;
-//  - the divergence source is dt max(J v, 0): only approaching neighbours are stopped (Bender and Koschier 2015).
+//  - the divergence source is dt J v as it is, not max(J v, 0) as in Bender and Koschier (2015): the solution is then
+//  the
+//    projection of v onto the velocities that compress nowhere, which adds no energy. With the clamped source still
+//    water 30 layers deep gained 17 % of its energy in 400 steps at tolerances of 1e-3, with this one at most 0.6 %;
+//  - the divergence solve starts cold: its pressure differs from step to step, and an old one costs more iterations of
+//    the density solve than it saves (still water 30 layers deep: 9.6 warm, 7.6 cold, at a tolerance of 3e-4).
 
 namespace {
 
@@ -43,14 +48,18 @@ void solve_density(TaskPool& pool, FluidState& state, double dt, StepReport& rep
 }
 
 /// x += u; v += u / dt (dt = 0: positions only). Returns how many corrections were bounded.
+/// After a step that was suddenly cut short, u holds repairs that the longer step before left over; as a velocity over
+/// the short step they would be a kick. They become one over half the longer step; the divergence solve does the rest.
 std::uint32_t apply_correction(TaskPool& pool, FluidState& state, double dt) {
   FluidParticles& p = state.particles;
   std::vector<std::uint32_t> bounded((p.count + kPointBlock - 1) / kPointBlock);
   const auto bound = static_cast<float>(kLargestCorrection * state.parameters.spacing);
+  const double span = std::max(dt, state.last_dt / kLargestStepRatio);
+  Float4* velocity = dt > 0.0 ? p.velocity.data() : nullptr;
   pool.for_each_range(p.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
     bounded[begin / kPointBlock] =
-        apply_displacement(begin, end, bound, dt > 0.0 ? static_cast<float>(1.0 / dt) : 0.0F,
-                           state.work.displacement.data(), p.position.data(), dt > 0.0 ? p.velocity.data() : nullptr);
+        apply_displacement(begin, end, bound, velocity ? static_cast<float>(1.0 / span) : 0.0F,
+                           state.work.displacement.data(), p.position.data(), velocity);
   });
   std::uint32_t total = 0;
   for (const std::uint32_t b : bounded) total += b;
@@ -63,11 +72,12 @@ void solve_divergence(TaskPool& pool, FluidState& state, double dt, StepReport& 
   compute_rate(pool, data, state.gradients, state.wall_gradient, p.velocity, data.walls_move, state.source);
   ++report.pair_passes;
   pool.for_each_range(p.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      state.source[i] = state.source[i] > 0.0F ? static_cast<float>(dt) * state.source[i] : 0.0F;
+    for (std::size_t i = begin; i < end; ++i) state.source[i] *= static_cast<float>(dt);
   });
-  report.divergence = solve_constraint(pool, constraint(state, data, dt), state.parameters.divergence,
-                                       p.divergence_pressure, state.work, report.pair_passes);
+  ConstraintProblem problem = constraint(state, data, dt);
+  problem.warm_factor = 0.0F;
+  report.divergence = solve_constraint(pool, problem, state.parameters.divergence, p.divergence_pressure, state.work,
+                                       report.pair_passes);
   pool.for_each_range(p.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
     const auto bound = static_cast<float>(kLargestCorrection * state.parameters.spacing);
     apply_displacement(begin, end, bound, static_cast<float>(1.0 / dt), state.work.displacement.data(), nullptr,

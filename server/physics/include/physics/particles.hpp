@@ -22,7 +22,7 @@ struct FluidParticles {
   std::vector<Float4> acceleration;        ///< m/s^2, of the last step: gravity, viscosity, wind
   std::vector<float> density;              ///< delta, at the positions at the end of the step
   std::vector<float> density_pressure;     ///< m^2, warm start of the density solve
-  std::vector<float> divergence_pressure;  ///< m^2, warm start of the divergence solve
+  std::vector<float> divergence_pressure;  ///< m^2, of the divergence solve of this step
   std::vector<std::uint32_t> id;           ///< stable identity: index at creation
 };
 

@@ -41,7 +41,7 @@ struct SolverSettings {
   SolverKind kind = SolverKind::kHybrid;
   PressureMethod method = PressureMethod::kConjugateGradient;
   ConstraintSettings density;
-  ConstraintSettings divergence{1e-3, 1, 100};
+  ConstraintSettings divergence{3e-4, 1, 100};
 };
 
 /// dt = min(max_step, cfl d / max|v + dt_prev a|), shortened to land on frame times.
