@@ -117,6 +117,16 @@ TEST(SceneFile, RefusesNegativeSpacing) {
                                 HasSubstr("allowed: 0.001 to 100 m"))));
 }
 
+TEST(SceneFile, ChecksEverythingAgainstASpacingGivenInstead) {
+  SceneReadOptions options;
+  options.particle_spacing = 0.125;
+  const SceneResult coarser = read_scene_text(test::kValid, "test.scene", options);
+  ASSERT_TRUE(coarser) << coarser.report();
+  EXPECT_EQ(coarser.scene->particle_spacing, 0.125);
+  options.particle_spacing = 1e-4;  // the tank would need far too many samples
+  EXPECT_THAT(read_scene_text(test::kValid, "test.scene", options).report(), HasSubstr("at this spacing"));
+}
+
 TEST(SceneFile, RefusesWaterThatAnExplicitStepCannotKeepStable) {
   // 0.1 d^2 / (0.07 sqrt(d/g)) = 0.001 / 0.0070674 = 0.1415
   EXPECT_THAT(read_replacing("water {", "water { kinematic_viscosity: 0.2").faults,

@@ -35,7 +35,7 @@ void add_run_options(CLI::App& run, RunArguments& arguments) {
   run.add_option("--steps", arguments.options.steps, "So many time steps instead of --seconds")
       ->check(CLI::Range(1, 100000000));
   run.add_option("--spacing", arguments.spacing, "Particle spacing, m (default: the scene's)")
-      ->check(CLI::Range(1e-4, 100.0));
+      ->check(CLI::Range(1e-3, 100.0));
   run.add_option("--threads", arguments.options.threads, "Threads (default: all)")->check(CLI::Range(1, 256));
   run.add_option("--instruction-set", arguments.instruction_set, "Use no more than this")
       ->check(CLI::IsMember({"baseline", "sse4", "avx2", "avx512"}));
@@ -82,7 +82,9 @@ nlohmann::ordered_json to_json(const Scene& scene, const RunArguments& arguments
 
 /// The scene with what the command line changes; nothing if it cannot be read (reported).
 std::optional<Scene> prepare_scene(const RunArguments& arguments) {
-  SceneResult read = read_scene_file(arguments.scene_file);
+  SceneReadOptions options;
+  options.particle_spacing = arguments.spacing;
+  SceneResult read = read_scene_file(arguments.scene_file, options);
   if (!read) {
     std::cerr << "pelagos-bench: cannot use the scene:\n" << read.report() << '\n';
     return std::nullopt;
@@ -90,7 +92,6 @@ std::optional<Scene> prepare_scene(const RunArguments& arguments) {
   Scene scene = *read.scene;
   if (arguments.solver && !choose_solver(*arguments.solver, scene.solver)) return std::nullopt;
   if (arguments.tolerance) scene.solver.density.tolerance = *arguments.tolerance;
-  if (arguments.spacing) scene.particle_spacing = *arguments.spacing;
   return scene;
 }
 

@@ -41,6 +41,7 @@ SceneSource source_of(const std::string& source_name, const SceneReadOptions& op
   source.mesh_folders.push_back(path.parent_path());
   source.mesh_folders.insert(source.mesh_folders.end(), options.asset_roots.begin(), options.asset_roots.end());
   source.check_meshes = options.check_meshes;
+  source.particle_spacing = options.particle_spacing;
   return source;
 }
 

@@ -59,11 +59,12 @@ std::optional<Box> read_box(const FieldReader& reader) {
   return box;
 }
 
-Basis read_basis(const FieldReader& reader, Scene& scene) {
+Basis read_basis(const FieldReader& reader, const SceneSource& source, Scene& scene) {
   Basis basis;
   reader.require("particle_spacing");
   if (reader.read("particle_spacing", {0.001, 100.0, "m", "surface tension rules below, no picture is left above"},
                   scene.particle_spacing)) {
+    if (source.particle_spacing) scene.particle_spacing = *source.particle_spacing;
     basis.spacing = scene.particle_spacing;
   }
   const bool gravity_given = reader.has("gravity");
@@ -248,7 +249,7 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
   reader.read("seed", scene.seed);
   reader.read("tank_walls_visible", scene.tank_walls_visible);
 
-  const Basis basis = read_basis(reader, scene);
+  const Basis basis = read_basis(reader, source, scene);
   const std::optional<Box> tank = read_tank(reader, basis);
   scene.tank = tank.value_or(Box{});
   scene.time_step = read_time_step(reader, basis);

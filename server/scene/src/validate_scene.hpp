@@ -13,6 +13,7 @@ struct SceneSource {
   std::string default_name;
   std::vector<std::filesystem::path> mesh_folders;  ///< in the order of search
   bool check_meshes = true;
+  std::optional<double> particle_spacing;  ///< instead of the file's
 };
 
 /// Reads every field of a Scene message; faults are noted in the reader. The scene may be used only if none was.

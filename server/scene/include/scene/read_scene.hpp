@@ -15,6 +15,8 @@ struct SceneReadOptions {
   std::vector<std::filesystem::path> asset_roots;
   /// false: mesh files need not exist (they then stay as written), e.g. to check a scene away from its assets.
   bool check_meshes = true;
+  /// Taken instead of the file's particle_spacing, m; everything is checked against it.
+  std::optional<double> particle_spacing;
 };
 
 /// Either a scene that keeps every range of proto/scene.proto, or what is wrong with it.
