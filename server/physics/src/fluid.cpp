@@ -33,6 +33,7 @@ void place_tank(TaskPool& pool, FluidState& state) {
   std::vector<Float4> samples = sample_box(state.parameters.tank, state.parameters.spacing);
   assign_boundary_volumes(pool, state.parameters.support_radius, samples);
   state.static_grid.sort(pool, samples, state.order);
+  state.static_grid.mark_near_cells();
   BoundaryParticles& walls = state.walls;
   walls.count = state.static_walls = samples.size();
   walls.position.assign(padded_count(walls.count), kFarRecord);

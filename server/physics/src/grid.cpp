@@ -9,7 +9,7 @@ namespace pelagos {
 namespace {
 
 /// The sort is cut into this many chunks of points, whatever the number of threads.
-constexpr std::size_t kSortChunks = 4;
+constexpr std::size_t kSortChunks = 2;
 constexpr std::size_t kCellBlock = 8192;
 
 int clamped_cell(float offset, int dims) {
@@ -44,18 +44,37 @@ Float4 CellGrid::center(int x, int y, int z) const {
           origin_[2] + (static_cast<float>(z) + 0.5F) * cell_size_, 0.0F};
 }
 
+void CellGrid::mark_near_cells() {
+  near_.assign(cell_count(), 0);
+  const auto range = [](int at, int dims) { return std::pair{std::max(at - 1, 0), std::min(at + 1, dims - 1)}; };
+  for (int z = 0; z < dims_[2]; ++z)
+    for (int y = 0; y < dims_[1]; ++y)
+      for (int x = 0; x < dims_[0]; ++x) {
+        const std::size_t cell = cell_index(x, y, z);
+        if (begin_[cell] == begin_[cell + 1]) continue;
+        const auto [x0, x1] = range(x, dims_[0]);
+        const auto [y0, y1] = range(y, dims_[1]);
+        const auto [z0, z1] = range(z, dims_[2]);
+        for (int k = z0; k <= z1; ++k)
+          for (int j = y0; j <= y1; ++j)
+            for (int i = x0; i <= x1; ++i) near_[cell_index(i, j, k)] = 1;
+      }
+}
+
 void CellGrid::sort(TaskPool& pool, std::span<const Float4> points, std::vector<std::uint32_t>& order) {
   const std::size_t count = points.size(), cells = cell_count();
   const std::size_t chunk = (count + kSortChunks - 1) / kSortChunks;
+  near_.clear();
   key_.resize(count);
   order.resize(count);
-  histogram_.assign(kSortChunks * cells, 0);
+  histogram_.resize(kSortChunks * cells);
 
   const auto chunk_range = [&](std::size_t c) {
     return std::pair{std::min(c * chunk, count), std::min((c + 1) * chunk, count)};
   };
   pool.for_each_block(kSortChunks, [&](std::size_t c) {
     std::uint32_t* histogram = histogram_.data() + c * cells;
+    std::fill_n(histogram, cells, 0U);
     const auto [first, last] = chunk_range(c);
     for (std::size_t i = first; i < last; ++i) {
       key_[i] = cell_of(points[i]);

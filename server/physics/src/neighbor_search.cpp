@@ -136,6 +136,15 @@ void search_groups(const SearchJob& job, std::size_t first_group, std::size_t la
     const std::array<int, 3> at = cell_coordinates(grid, cell);
     const Float4 center = grid.center(at[0], at[1], at[2]);
     collect_candidates(job, at, center, scratch.candidates);
+    if (scratch.candidates.count == 0) {  // nothing near: all rows of the cell stay empty
+      const std::size_t group_end = std::min((i / kLanes + 1) * kLanes, end);
+      i = std::min(cell_end, group_end);
+      if (i == group_end) {
+        write_group(job, (i - 1) / kLanes, scratch);
+        scratch.length.fill(0);
+      }
+      continue;
+    }
     while (i < cell_end) {
       const std::size_t lane = i % kLanes;
       // Two at a time, as long as both are of this cell and this group.

@@ -66,6 +66,7 @@ inline RunList find_runs(const SearchJob& job, const std::array<int, 3>& cell) {
   RunList runs;
   const int x0 = std::max(cell[0] - 1, 0), x1 = std::min(cell[0] + 1, grid.cells_x() - 1);
   for (const SearchSource& source : job.sources) {
+    if (!source.grid->may_be_near(grid.cell_index(cell[0], cell[1], cell[2]))) continue;
     const std::uint32_t* begin = source.grid->begin().data();
     for (int z = std::max(cell[2] - 1, 0); z <= std::min(cell[2] + 1, grid.cells_z() - 1); ++z)
       for (int y = std::max(cell[1] - 1, 0); y <= std::min(cell[1] + 1, grid.cells_y() - 1); ++y) {

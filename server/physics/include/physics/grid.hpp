@@ -45,12 +45,18 @@ class CellGrid {
 
   [[nodiscard]] std::span<const std::uint32_t> begin() const { return begin_; }
 
+  /// Notes which cells have points in one of the 27 cells around them, for sources that rarely change.
+  void mark_near_cells();
+  /// False only if mark_near_cells has been called since the last sort and found no point near.
+  [[nodiscard]] bool may_be_near(std::size_t cell) const { return near_.empty() || near_[cell] != 0; }
+
  private:
   float origin_[3] = {0, 0, 0};
   float cell_size_ = 1.0F;
   float inverse_cell_size_ = 1.0F;
   int dims_[3] = {1, 1, 1};
   std::vector<std::uint32_t> begin_;  ///< [cells + 1]
+  std::vector<std::uint8_t> near_;    ///< [cells], or empty: not marked
   std::vector<std::uint32_t> key_;
   std::vector<std::uint32_t> histogram_;  ///< [chunks][cells]
 };
