@@ -70,7 +70,6 @@ void Server::open_links() {
   log_info(fmt::format("control: listening on {}:{}", options_.control.host, control_->port()));
 
   install_dds_log([](std::string_view line) { log_warning(line); });
-  if (const auto warning = check_receive_buffer()) log_warning(*warning);
   DdsSettings dds;
   dds.domain = options_.domain;
   dds.config_file = options_.dds_config;
