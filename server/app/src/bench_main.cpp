@@ -30,7 +30,7 @@ void add_run_options(CLI::App& run, RunArguments& arguments) {
   run.add_option("--solver", arguments.solver, "Solver (default: the scene's)")->check(CLI::IsMember(solver_names()));
   run.add_option("--tolerance", arguments.tolerance,
                  "Tolerance of the density constraint, fraction of the rest density (default: the scene's)")
-      ->check(CLI::Range(1e-7, 0.1));
+      ->check(CLI::Range(1e-6, 0.05));
   run.add_option("--seconds", arguments.options.seconds, "Simulated seconds")->check(CLI::Range(1e-3, 1e6));
   run.add_option("--steps", arguments.options.steps, "So many time steps instead of --seconds")
       ->check(CLI::Range(1, 100000000));

@@ -201,6 +201,7 @@ void Server::publish_frame(StepReport& report) {
     snapshot->status = status_;
   }
   watch_poses(snapshot->bodies);
+  watch_places(snapshot->bodies);
   publisher_->submit(std::move(snapshot));
 }
 
@@ -254,6 +255,22 @@ void Server::watch_poses(const std::vector<BodyState>& states) {
     pose_health_[i] = states[i].health;
     const std::string text = "body " + std::to_string(states[i].body) + ": " + describe_health(states[i].health);
     announce(states[i].health == PoseHealth::kFresh ? "pose_fresh" : "pose_stale", "server", text);
+  }
+}
+
+void Server::watch_places(const std::vector<BodyState>& states) {
+  const Box& tank = world_->scene().tank;
+  outside_.resize(states.size(), false);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Eigen::Vector3d& x = states[i].position;
+    const bool outside = (x.array() < tank.min.array()).any() || (x.array() > tank.max.array()).any();
+    if (outside == outside_[i]) continue;
+    outside_[i] = outside;
+    const std::string where =
+        fmt::format("body {} at ({:.1f}, {:.1f}, {:.1f}) m ", states[i].body, x.x(), x.y(), x.z());
+    if (outside) log_warning(where + "has left the tank: it meets no water there");
+    announce(outside ? "body_outside" : "body_inside", "server",
+             where + (outside ? "has left the tank" : "is inside the tank again"));
   }
 }
 

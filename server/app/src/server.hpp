@@ -68,6 +68,7 @@ class Server {
   void wait_paused();
   void refresh_status();
   void watch_poses(const std::vector<BodyState>& states);
+  void watch_places(const std::vector<BodyState>& states);
   void announce(const std::string& kind, const std::string& source, const std::string& text);
   [[nodiscard]] bool out_of_time() const;
   [[nodiscard]] ServerStatus current_status() const;
@@ -87,6 +88,7 @@ class Server {
   std::vector<QueuedCommand> taken_commands_;
   std::vector<ReceivedPose> taken_poses_;
   std::vector<PoseHealth> pose_health_;
+  std::vector<bool> outside_;  ///< by body: last seen outside the tank
   StepReport last_report_;
   std::uint64_t events_ = 0;
   std::uint32_t steps_to_make_ = 0;  ///< while paused

@@ -155,14 +155,12 @@ class ControlServer::Impl {
     ++counters_.accepted_stations;
     ++counters_.stations;
     admitted_.insert(station.get());
-    log_.write(LogLevel::kInfo, station->name() + " is connected");
     station->start();
   }
 
   void forget(Station& station) {
     if (admitted_.erase(&station) > 0) {
       --counters_.stations;
-      log_.write(LogLevel::kInfo, station.name() + " has left");
     }
     stations_.erase(station.shared_from_this());
   }

@@ -62,8 +62,7 @@ std::optional<Box> read_box(const FieldReader& reader) {
 Basis read_basis(const FieldReader& reader, const SceneSource& source, Scene& scene) {
   Basis basis;
   reader.require("particle_spacing");
-  if (reader.read("particle_spacing", {0.001, 100.0, "m", "surface tension rules below, no picture is left above"},
-                  scene.particle_spacing)) {
+  if (reader.read("particle_spacing", {0.001, 100.0, "m"}, scene.particle_spacing)) {
     if (source.particle_spacing) scene.particle_spacing = *source.particle_spacing;
     basis.spacing = scene.particle_spacing;
   }

@@ -38,7 +38,7 @@ std::uint64_t draw_source() {
   return std::max<std::uint64_t>(1, high << 32 | device());
 }
 
-/// A thread that wakes up may push the one that woke it off its core at once, on busy machines for as long as a frame
+/// A thread that comes back from sleep may push another off its core at once, on busy machines for as long as a frame
 /// takes to publish. A batch thread does not: it waits for its turn, some milliseconds later.
 void use_batch_scheduling() {
   const sched_param parameters{};
