@@ -152,10 +152,12 @@ void Server::apply(const QueuedCommand& queued) {
       server.announce("wind", source, "no wind");
     }
     void operator()(const PauseSimulation&) const {
+      if (server.paused_) return;
       server.paused_ = true;
       server.announce("pause", source, "paused");
     }
     void operator()(const ResumeSimulation&) const {
+      if (!server.paused_) return;
       server.paused_ = false;
       server.steps_to_make_ = 0;
       server.announce("resume", source, "resumed");
@@ -240,12 +242,20 @@ void Server::refresh_status() {
   }
   if (now < next_log_ns_) return;
   next_log_ns_ = now + kLogIntervalNs;
-  log_info(fmt::format(
+  const std::string line = fmt::format(
       "t {:.1f} s: real-time factor {:.2f} (could reach {:.1f}), step {:.1f} ms, density error {:.3f} %, {} of {} "
       "particles sent, {} frames, {} dropped, {} readers{}",
       status.simulation_time, status.real_time_factor, status.achievable_real_time_factor, status.step_ms,
       status.density_error * 100.0, status.published_particles, status.particles, status.frames_published,
-      status.frames_dropped, publisher_->viewers(), paused_ ? ", paused" : ""));
+      status.frames_dropped, publisher_->viewers(), paused_ ? ", paused" : "");
+  // Below real time through lack of speed, not because of a pause or a start.
+  const bool too_slow = options_.paced && !paused_ && status.achievable_real_time_factor > 0.0 &&
+                        status.achievable_real_time_factor < 1.0;
+  if (too_slow) {
+    log_warning(line + "; this machine cannot keep up: give it more threads, fewer other tasks or a larger spacing");
+  } else {
+    log_info(line);
+  }
 }
 
 void Server::watch_poses(const std::vector<BodyState>& states) {
