@@ -172,6 +172,21 @@ TEST_F(PoseLoopback, BadPosesAreRefusedCountedAndLogged) {
   EXPECT_TRUE(eventually([&] { return logged("not finite"); }));
 }
 
+TEST_F(PoseLoopback, ManyBadPosesOfOneKindDoNotHideAnother) {
+  BodyPose bad = pose_at(1.0);
+  bad.position.x() = kNaN;
+  for (int i = 0; i < 30; ++i) ASSERT_TRUE(send(bad, *own_ship_));
+  ASSERT_TRUE(eventually([this] { return receiver_->counters().refused_in_all() > 0; }));
+  bad = pose_at(1.0);
+  bad.body = 77;
+  ASSERT_TRUE(send(bad, *other_));
+  EXPECT_TRUE(eventually([this] {
+    const std::lock_guard lock(mutex_);
+    return std::any_of(lines_.begin(), lines_.end(),
+                       [](const std::string& line) { return line.find("body 77") != std::string::npos; });
+  }));
+}
+
 TEST_F(PoseLoopback, FloodWithUnknownBodiesEndsWithTheNewestPoseAndFewLines) {
   for (std::uint32_t i = 1; i <= 10000; ++i) {
     BodyPose noise = pose_at(i);

@@ -1,6 +1,7 @@
 #include "transport/pose_receiver.hpp"
 
 #include <atomic>
+#include <deque>
 #include <map>
 #include <mutex>
 #include <string>
@@ -19,13 +20,16 @@ constexpr auto kPollInterval = std::chrono::milliseconds(500);
 // Between two rounds, so that a flood is taken in batches: it adds this much to a pose's delay at most.
 constexpr auto kBatchInterval = std::chrono::milliseconds(1);
 
+/// Log lines of each kind of fault in ten seconds.
+constexpr int kLinesPerFault = 2;
+
 }  // namespace
 
 class PoseReceiver::Implementation {
  public:
-  Implementation(std::shared_ptr<DdsParticipant> participant, const std::vector<std::uint32_t>& bodies, DdsLog log,
-                 const PoseLimits& limits)
-      : log_(std::move(log)),
+  Implementation(std::shared_ptr<DdsParticipant> participant, const std::vector<std::uint32_t>& bodies,
+                 const DdsLog& log, const PoseLimits& limits)
+      : log_(log),
         participant_(std::move(participant)),
         own_ship_(*participant_, topics::own_ship_pose()),
         others_(*participant_, topics::body_pose()),
@@ -33,6 +37,7 @@ class PoseReceiver::Implementation {
         gate_(bodies, limits) {
     waitset_.attach(own_ship_);
     waitset_.attach(others_);
+    for (std::size_t fault = 0; fault < kPoseFaults; ++fault) fault_logs_.emplace_back(log, kLinesPerFault);
     thread_ = std::thread([this] { dispatch(); });
   }
 
@@ -81,12 +86,14 @@ class PoseReceiver::Implementation {
       if (!fault) newest_[pose.body] = {pose, sample.sender, now};
     }
     if (fault) {
-      log_.write("pose of body " + std::to_string(sample.body) + " from sender " + std::to_string(sample.sender) +
-                 " refused: " + std::string(describe(*fault)));
+      fault_logs_[static_cast<std::size_t>(*fault)].write("pose of body " + std::to_string(sample.body) +
+                                                          " from sender " + std::to_string(sample.sender) +
+                                                          " refused: " + std::string(describe(*fault)));
     }
   }
 
   RateLimitedLog log_;
+  std::deque<RateLimitedLog> fault_logs_;  // by PoseFault: one kind of bad pose must not hide another
   std::shared_ptr<DdsParticipant> participant_;
   DdsReader own_ship_;
   DdsReader others_;
