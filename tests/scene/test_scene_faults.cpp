@@ -127,6 +127,13 @@ TEST(SceneFile, ChecksEverythingAgainstASpacingGivenInstead) {
   EXPECT_THAT(read_scene_text(test::kValid, "test.scene", options).report(), HasSubstr("at this spacing"));
 }
 
+TEST(SceneFile, TellsRangesOfAWindGivenTwiceAsWell) {
+  const std::string report = test::read_with("wind { beaufort: 14 from_deg: 400 speed: 3 }\n").report();
+  EXPECT_THAT(report, HasSubstr("more than one way"));
+  EXPECT_THAT(report, HasSubstr("wind.beaufort: 14 is out of range"));
+  EXPECT_THAT(report, HasSubstr("wind.from_deg: 400 is out of range"));
+}
+
 TEST(SceneFile, RefusesWaterThatAnExplicitStepCannotKeepStable) {
   // 0.1 d^2 / (0.07 sqrt(d/g)) = 0.001 / 0.0070674 = 0.1415
   EXPECT_THAT(read_replacing("water {", "water { kinematic_viscosity: 0.2").faults,

@@ -7,6 +7,17 @@ namespace {
 
 constexpr double kLargestSpeed = 75.0;  // m/s; the strongest sustained winds measured at sea stay below 100 m/s
 
+/// Ranges of what cannot be used together, so that every fault is told at once.
+void check_ranges_of_mean(const FieldReader& reader) {
+  double number = 0.0;
+  int beaufort = 0;
+  Eigen::Vector3d velocity;
+  reader.read("speed", {0.0, kLargestSpeed, "m/s"}, number);
+  reader.read("beaufort", {0, 12, "Beaufort"}, beaufort);
+  reader.read("velocity", {-kLargestSpeed, kLargestSpeed, "m/s"}, velocity);
+  reader.read("from_deg", {0.0, 360.0, "degrees clockwise from north, where the wind blows from"}, number);
+}
+
 /// Mean wind out of speed, beaufort, velocity and from_deg.
 void read_mean(const FieldReader& reader, const std::optional<WindSettings>& present, Eigen::Vector3d& velocity) {
   const bool speed_given = reader.has("speed");
@@ -15,6 +26,7 @@ void read_mean(const FieldReader& reader, const std::optional<WindSettings>& pre
   const int ways = (speed_given ? 1 : 0) + (beaufort_given ? 1 : 0) + (velocity_given ? 1 : 0);
   if (ways > 1) {
     reader.fault("", "gives the mean wind in more than one way; allowed: exactly one of speed, beaufort, velocity");
+    check_ranges_of_mean(reader);
     return;
   }
   if (ways == 0 && !present) {
