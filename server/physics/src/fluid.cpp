@@ -13,8 +13,6 @@ namespace pelagos {
 
 namespace {
 
-constexpr Float4 kFarRecord{1e9F, 1e9F, 1e9F, 0.0F};
-
 void place_particles(FluidParticles& p, std::span<const Float4> positions) {
   p.count = positions.size();
   const std::size_t padded = padded_count(p.count);

@@ -9,8 +9,6 @@ namespace pelagos {
 
 namespace {
 
-constexpr Float4 kFarRecord{1e9F, 1e9F, 1e9F, 0.0F};
-
 /// values[k] = values[order[k]], the padding left as it is.
 template <class T>
 void permute(TaskPool& pool, std::span<const std::uint32_t> order, std::vector<T>& values, std::vector<T>& scratch) {

@@ -19,6 +19,9 @@ void refresh_density(TaskPool& pool, FluidState& state, StepReport& report);
 
 void advance_hybrid(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report);
 
+/// The far dummy that pads arrays of positions.
+inline constexpr Float4 kFarRecord{1e9F, 1e9F, 1e9F, 0.0F};
+
 /// Particles in one block of pointwise work.
 inline constexpr std::size_t kPointBlock = 2048;
 
