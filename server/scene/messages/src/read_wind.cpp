@@ -7,15 +7,20 @@ namespace {
 
 constexpr double kLargestSpeed = 75.0;  // m/s; the strongest sustained winds measured at sea stay below 100 m/s
 
+constexpr Range kSpeedRange{0.0, kLargestSpeed, "m/s"};
+constexpr Range kBeaufortRange{0, 12, "Beaufort"};
+constexpr Range kVelocityRange{-kLargestSpeed, kLargestSpeed, "m/s"};
+constexpr Range kDirectionRange{0.0, 360.0, "degrees clockwise from north, where the wind blows from"};
+
 /// Ranges of what cannot be used together, so that every fault is told at once.
 void check_ranges_of_mean(const FieldReader& reader) {
   double number = 0.0;
   int beaufort = 0;
   Eigen::Vector3d velocity;
-  reader.read("speed", {0.0, kLargestSpeed, "m/s"}, number);
-  reader.read("beaufort", {0, 12, "Beaufort"}, beaufort);
-  reader.read("velocity", {-kLargestSpeed, kLargestSpeed, "m/s"}, velocity);
-  reader.read("from_deg", {0.0, 360.0, "degrees clockwise from north, where the wind blows from"}, number);
+  reader.read("speed", kSpeedRange, number);
+  reader.read("beaufort", kBeaufortRange, beaufort);
+  reader.read("velocity", kVelocityRange, velocity);
+  reader.read("from_deg", kDirectionRange, number);
 }
 
 /// Mean wind out of speed, beaufort, velocity and from_deg.
@@ -38,7 +43,7 @@ void read_mean(const FieldReader& reader, const std::optional<WindSettings>& pre
   if (velocity_given) {
     if (reader.has("from_deg")) reader.fault("from_deg", "says the direction twice: velocity has it already");
     Eigen::Vector3d given;
-    if (!reader.read("velocity", {-kLargestSpeed, kLargestSpeed, "m/s"}, given)) return;
+    if (!reader.read("velocity", kVelocityRange, given)) return;
     if (given.norm() > kLargestSpeed) {
       reader.fault("velocity", "is " + format_number(given.norm()) + " m/s long; allowed: 0 to 75 m/s");
       return;
@@ -51,9 +56,9 @@ void read_mean(const FieldReader& reader, const std::optional<WindSettings>& pre
   double speed = present ? present->velocity.head<2>().norm() : 0.0;
   double from_deg = has_direction ? wind_from_deg(present->velocity) : 0.0;
   int beaufort = 0;
-  reader.read("speed", {0.0, kLargestSpeed, "m/s"}, speed);
-  if (reader.read("beaufort", {0, 12, "Beaufort"}, beaufort)) speed = beaufort_speed(beaufort);
-  reader.read("from_deg", {0.0, 360.0, "degrees clockwise from north, where the wind blows from"}, from_deg);
+  reader.read("speed", kSpeedRange, speed);
+  if (reader.read("beaufort", kBeaufortRange, beaufort)) speed = beaufort_speed(beaufort);
+  reader.read("from_deg", kDirectionRange, from_deg);
   if (!reader.has("from_deg") && !has_direction && speed > 0.0) {
     reader.fault("from_deg", "is missing; needed with speed or beaufort: 0 to 360 degrees, where the wind blows from");
   }
