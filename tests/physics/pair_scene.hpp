@@ -99,26 +99,25 @@ class PairScene {
             &fluid_list,
             &wall_list,
             &wall,
+            nullptr,
             true,
             static_cast<float>(radius),
             static_cast<float>(d * d * d),
             static_cast<float>(d)};
     delta.assign(padded_count(count), 0);
-    alpha.assign(padded_count(count), 0);
-    wall_gradient.assign(padded_count(count), {});
-    compute_density(pool, data, delta, alpha, wall_gradient, cache);
+    compute_density(pool, data, delta, gradients);
   }
   PairScene(const PairScene&) = delete;
   PairScene& operator=(const PairScene&) = delete;
 
   [[nodiscard]] std::vector<float> rate(TaskPool& pool, std::span<const Float4> velocity, bool moving_walls) const {
     std::vector<float> out(padded_count(count));
-    compute_rate(pool, data, cache, wall_gradient, velocity, moving_walls, out);
+    compute_rate(pool, data, gradients, velocity, moving_walls, out);
     return out;
   }
   [[nodiscard]] std::vector<Float4> displacement(TaskPool& pool, std::span<const float> pressure) const {
     std::vector<Float4> out(padded_count(count));
-    apply_pressure(pool, data, cache, wall_gradient, pressure, out);
+    apply_pressure(pool, data, gradients, pressure, out);
     return out;
   }
 
@@ -129,9 +128,8 @@ class PairScene {
   BoundaryParticles wall;
   NeighborList fluid_list, wall_list;
   SearchReport report;
-  GradientCache cache;
-  std::vector<float> delta, alpha;
-  std::vector<Float4> wall_gradient;
+  Gradients gradients;
+  std::vector<float> delta;
   PairData data;
 
  private:

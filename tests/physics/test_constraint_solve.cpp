@@ -26,8 +26,7 @@ class ConstraintSolve : public testing::Test {
   }
 
   SolveReport solve(const SolveSettings& settings, float warm_factor = 0.0F) {
-    const ConstraintProblem problem{&scene_->data, &scene_->cache, scene_->wall_gradient,
-                                    scene_->alpha, source_,        warm_factor};
+    const ConstraintProblem problem{&scene_->data, &scene_->gradients, source_, warm_factor};
     std::uint32_t passes = 0;
     const SolveReport report = solve_constraint(pool_, problem, settings, memory_, work_, passes);
     EXPECT_GE(passes, 2U * static_cast<std::uint32_t>(report.iterations));
@@ -199,7 +198,7 @@ TEST(ConstraintSolveSizes, NoParticlesAreConvergedAtOnce) {
   SolveWorkspace work;
   for (const SolveMethod method : {SolveMethod::kConjugateGradient, SolveMethod::kJacobi}) {
     std::uint32_t passes = 0;
-    const ConstraintProblem problem{&scene.data, &scene.cache, scene.wall_gradient, scene.alpha, source, 0.0F};
+    const ConstraintProblem problem{&scene.data, &scene.gradients, source, 0.0F};
     const SolveReport report = solve_constraint(pool, problem, settings(method, 3e-4), memory, work, passes);
     EXPECT_TRUE(report.converged);
     EXPECT_EQ(report.residual, 0.0);

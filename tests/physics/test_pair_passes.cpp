@@ -91,7 +91,7 @@ TEST(PairPasses, MatchSumsOverAllPairsInDoublePrecision) {
   // 7 x 9 x 11 = 693 = 43 groups and 5 lanes: a tail is worked on too.
   PairScene scene(pool, disordered_block({7, 9, 11}, 1), floor_samples(pool), kSpacing, kRadius);
   scene.wall.velocity = random_vectors(scene.wall.count, 1.0, 2);
-  compute_density(pool, scene.data, scene.delta, scene.alpha, scene.wall_gradient, scene.cache);
+  compute_density(pool, scene.data, scene.delta, scene.gradients);
   const std::vector<Float4> velocity = random_vectors(scene.count, 1.0, 3);
   const std::vector<float> pressure = random_pressure(scene.count, 4);
   const std::vector<float> rate = scene.rate(pool, velocity, true);
@@ -102,9 +102,9 @@ TEST(PairPasses, MatchSumsOverAllPairsInDoublePrecision) {
   for (std::size_t i = 0; i < scene.count; ++i) {
     const Reference want = reference(scene, i, velocity, pressure);
     ASSERT_NEAR(static_cast<double>(scene.delta[i]), want.delta, 3e-6) << i;  // single precision, numbers of size 1
-    ASSERT_NEAR(static_cast<double>(scene.alpha[i]), want.alpha, 2e-5 * want.alpha) << i;
+    ASSERT_NEAR(static_cast<double>(scene.gradients.alpha[i]), want.alpha, 2e-5 * want.alpha) << i;
     ASSERT_NEAR(static_cast<double>(rate[i]), want.rate, kCacheError * want.rate_size) << i;
-    const Double3 u = as_double(push[i]), a = as_double(acceleration[i]), w = as_double(scene.wall_gradient[i]);
+    const Double3 u = as_double(push[i]), a = as_double(acceleration[i]), w = as_double(scene.gradients.wall[i]);
     for (std::size_t c = 0; c < 3; ++c) {
       ASSERT_NEAR(u[c], want.push[c], kCacheError * want.push_size) << i;
       ASSERT_NEAR(w[c], want.wall[c], 2e-5 / kSpacing) << i;
@@ -133,9 +133,9 @@ TEST(PairPasses, LatticeSumsMatchTheReference) {
     ASSERT_LT(inside, cube.count);
     ASSERT_LT(top, cube.count);
     EXPECT_NEAR(static_cast<double>(cube.delta[inside]), std::stod(row[4]), 3e-6);
-    EXPECT_NEAR(d * d / static_cast<double>(cube.alpha[inside]), std::stod(row[5]), 2e-5 * std::stod(row[5]));
+    EXPECT_NEAR(d * d / static_cast<double>(cube.gradients.alpha[inside]), std::stod(row[5]), 2e-5 * std::stod(row[5]));
     EXPECT_NEAR(static_cast<double>(cube.delta[top]), std::stod(row[6]), 3e-6);
-    EXPECT_NEAR(d * d / static_cast<double>(cube.alpha[top]), std::stod(row[8]), 2e-5 * std::stod(row[8]));
+    EXPECT_NEAR(d * d / static_cast<double>(cube.gradients.alpha[top]), std::stod(row[8]), 2e-5 * std::stod(row[8]));
     ++rows;
   }
   EXPECT_EQ(rows, 5);
@@ -145,7 +145,7 @@ TEST(PairPasses, RateIsTheChangeOfDensityAlongTheMotion) {
   TaskPool pool(2);
   PairScene scene(pool, disordered_block({6, 6, 5}, 5), floor_samples(pool), kSpacing, kRadius);
   scene.wall.velocity = random_vectors(scene.wall.count, 1.0, 6);
-  compute_density(pool, scene.data, scene.delta, scene.alpha, scene.wall_gradient, scene.cache);
+  compute_density(pool, scene.data, scene.delta, scene.gradients);
   const std::vector<Float4> velocity = random_vectors(scene.count, 1.0, 7);
   const std::vector<float> rate = scene.rate(pool, velocity, true);
   const ReferenceSpline kernel{kRadius};
@@ -259,7 +259,7 @@ TEST(PairPasses, LonelyAndCoincidentParticles) {
   pressure[0] = pressure[1] = pressure[2] = 1.0F;
   const std::vector<Float4> u = scene.displacement(pool, pressure);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(scene.alpha[i], 0.0F);  // no gradient, no constraint
+    EXPECT_EQ(scene.gradients.alpha[i], 0.0F);  // no gradient, no constraint
     EXPECT_EQ(u[i].x, 0.0F);
     EXPECT_EQ(u[i].y, 0.0F);
     EXPECT_EQ(u[i].z, 0.0F);

@@ -12,6 +12,15 @@ struct Choice {
 constexpr Choice kChoices[] = {
     {"hybrid", SolverKind::kHybrid, PressureMethod::kConjugateGradient},
     {"hybrid-jacobi", SolverKind::kHybrid, PressureMethod::kJacobi},
+    {"hybrid-paper", SolverKind::kHybrid, PressureMethod::kPaper},
+    {"dfsph", SolverKind::kDfsph, PressureMethod::kConjugateGradient},
+    {"dfsph-jacobi", SolverKind::kDfsph, PressureMethod::kJacobi},
+    {"dfsph-paper", SolverKind::kDfsph, PressureMethod::kPaper},
+    {"pbf", SolverKind::kPbf, PressureMethod::kConjugateGradient},
+    {"pbf-jacobi", SolverKind::kPbf, PressureMethod::kJacobi},
+    {"pbf-paper", SolverKind::kPbf, PressureMethod::kPaper},
+    {"corrected", SolverKind::kCorrected, PressureMethod::kConjugateGradient},
+    {"corrected-jacobi", SolverKind::kCorrected, PressureMethod::kJacobi},
 };
 
 }  // namespace

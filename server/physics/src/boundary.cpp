@@ -11,17 +11,34 @@ namespace pelagos {
 
 namespace {
 
-std::array<std::size_t, 3> box_intervals(const Region& box, double spacing) {
-  std::array<std::size_t, 3> intervals{};
+std::array<int, 3> box_intervals(const Region& box, double spacing) {
+  std::array<int, 3> intervals{};
   for (std::size_t axis = 0; axis < 3; ++axis)
-    intervals[axis] = static_cast<std::size_t>(
+    intervals[axis] = static_cast<int>(
         std::max(1.0, std::round((static_cast<double>(box.max[axis]) - static_cast<double>(box.min[axis])) / spacing)));
   return intervals;
 }
 
-float coordinate(const Region& box, std::size_t axis, std::size_t k, std::size_t intervals) {
+float coordinate(const Region& box, std::size_t axis, int k, int intervals) {
   const double t = static_cast<double>(k) / static_cast<double>(intervals);
   return static_cast<float>(static_cast<double>(box.min[axis]) * (1.0 - t) + static_cast<double>(box.max[axis]) * t);
+}
+
+/// Samples of the faces across walled axes; along the others they go `margin` intervals beyond.
+std::vector<Float4> sample_faces(const Region& box, const std::array<Edge, 3>& edges, double spacing, int margin) {
+  const std::array<int, 3> n = box_intervals(box, spacing);
+  std::array<int, 3> beyond{};
+  for (std::size_t axis = 0; axis < 3; ++axis) beyond[axis] = edges[axis] == Edge::kWall ? 0 : margin;
+  const auto on_face = [&](std::size_t axis, int k) { return edges[axis] == Edge::kWall && (k == 0 || k == n[axis]); };
+  std::vector<Float4> samples;
+  for (int k = -beyond[2]; k <= n[2] + beyond[2]; ++k)
+    for (int j = -beyond[1]; j <= n[1] + beyond[1]; ++j) {
+      const bool whole_row = on_face(2, k) || on_face(1, j);
+      for (int i = -beyond[0]; i <= n[0] + beyond[0]; ++i)
+        if (whole_row || on_face(0, i))
+          samples.push_back({coordinate(box, 0, i, n[0]), coordinate(box, 1, j, n[1]), coordinate(box, 2, k, n[2]), 0});
+    }
+  return samples;
 }
 
 Region bounds(std::span<const Float4> points) {
@@ -39,18 +56,22 @@ Region bounds(std::span<const Float4> points) {
 }  // namespace
 
 std::vector<Float4> sample_box(const Region& box, double spacing) {
-  const std::array<std::size_t, 3> n = box_intervals(box, spacing);
-  std::vector<Float4> samples;
-  for (std::size_t k = 0; k <= n[2]; ++k)
-    for (std::size_t j = 0; j <= n[1]; ++j)
-      for (std::size_t i = 0; i <= n[0]; ++i) {
-        const bool inner = i > 0 && i < n[0] && j > 0 && j < n[1] && k > 0 && k < n[2];
-        if (inner) {
-          i = n[0] - 1;  // skip to the far face
-          continue;
-        }
-        samples.push_back({coordinate(box, 0, i, n[0]), coordinate(box, 1, j, n[1]), coordinate(box, 2, k, n[2]), 0});
-      }
+  return sample_faces(box, {Edge::kWall, Edge::kWall, Edge::kWall}, spacing, 0);
+}
+
+std::vector<Float4> sample_tank(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, double spacing,
+                                double support_radius) {
+  // Twice the support beyond the faces that are not walls, so that the samples that are kept have all their neighbours.
+  const auto margin = static_cast<int>(std::ceil(2.0 * support_radius / spacing));
+  std::vector<Float4> samples = sample_faces(tank, edges, spacing, margin);
+  assign_boundary_volumes(pool, support_radius, samples);
+  const float reach = static_cast<float>(support_radius) * 1.001F;
+  std::erase_if(samples, [&](const Float4& p) {
+    const float c[3] = {p.x, p.y, p.z};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (c[axis] < tank.min[axis] - reach || c[axis] > tank.max[axis] + reach) return true;
+    return false;
+  });
   return samples;
 }
 

@@ -49,16 +49,19 @@ class Solver {
         work_(work),
         passes_(passes),
         count_(problem.data->count),
-        arrays_{problem.alpha.data(),  problem.source.data(), work.pressure.data(),     work.residual.data(),
-                work.direction.data(), work.image.data(),     work.displacement.data(), work.trial.data()} {}
+        arrays_{problem.gradients->alpha.data(), problem.source.data(), work.pressure.data(),
+                work.residual.data(),            work.direction.data(), work.image.data(),
+                work.displacement.data(),        work.trial.data()} {}
 
   /// Pressure and displacement of the warm start (or zero), and the residual that they leave.
-  Totals start(std::span<const float> memory) {
-    const bool warm = problem_.warm_factor > 0.0F;
+  Totals start(std::span<const float> memory, float share) {
+    const float factor = share * problem_.warm_factor;
+    const bool warm = factor > 0.0F;
+    const float* alpha = arrays_.alpha;
     pool_.for_each_range(count_, kBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const bool carry = warm && problem_.alpha[i] > 0.0F && problem_.source[i] > kThinnest;
-        work_.pressure[i] = work_.start[i] = carry ? problem_.warm_factor * memory[i] : 0.0F;
+        const bool carry = warm && alpha[i] > 0.0F && problem_.source[i] > kThinnest;
+        work_.pressure[i] = work_.start[i] = carry ? factor * memory[i] : 0.0F;
         work_.direction[i] = work_.image[i] = 0.0F;
         if (!warm) work_.displacement[i] = {};
       }
@@ -79,9 +82,7 @@ class Solver {
   }
   /// w = -J's and q = A s: the only multiply.
   Totals multiply() {
-    apply_pressure(pool_, *problem_.data, *problem_.cache, problem_.wall, work_.direction, work_.trial);
-    compute_rate(pool_, *problem_.data, *problem_.cache, problem_.wall, work_.trial, false, work_.image);
-    passes_ += 2;
+    apply(work_.direction, work_.trial, work_.image);
     return reduce(pool_, count_, [&](std::size_t b, std::size_t e) { return set_image(b, e, arrays_, arrays_.image); });
   }
   Totals advance(float t, float inverse_step) {
@@ -92,10 +93,27 @@ class Solver {
   Totals jacobi(float damping) {
     pool_.for_each_range(count_, kBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        work_.pressure[i] = std::max(0.0F, work_.pressure[i] + damping * problem_.alpha[i] * work_.residual[i]);
+        work_.pressure[i] = std::max(0.0F, work_.pressure[i] + damping * arrays_.alpha[i] * work_.residual[i]);
     });
     refresh();
     return judge_all();
+  }
+  /// The same with every increment clamped: what has been pressed is never released.
+  Totals clamped_jacobi(float damping) {
+    pool_.for_each_range(count_, kBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        work_.pressure[i] += damping * arrays_.alpha[i] * std::max(0.0F, work_.residual[i]);
+    });
+    refresh();
+    return judge_compression();
+  }
+  /// The error of a one-sided stop: the mean of max(r, 0).
+  Totals judge_compression() {
+    return reduce(pool_, count_, [&](std::size_t begin, std::size_t end) {
+      SolveSums sums;
+      for (std::size_t i = begin; i < end; ++i) sums.error += std::max(0.0F, work_.residual[i]);
+      return sums;
+    });
   }
 
   void remember(std::span<float> memory) const {
@@ -112,11 +130,18 @@ class Solver {
   }
 
  private:
+  /// u = -J'p, rate = J u.
+  void apply(std::span<float> pressure, std::span<Float4> displacement, std::span<float> rate) {
+    const PairData& data = *problem_.data;
+    if (data.ghosts) extend_scalars(pool_, *data.ghosts, pressure);
+    apply_pressure(pool_, data, *problem_.gradients, pressure, displacement);
+    if (data.ghosts) extend_vectors(pool_, *data.ghosts, displacement);
+    compute_rate(pool_, data, *problem_.gradients, displacement, false, rate);
+    passes_ += 2;
+  }
   /// u = -J'p and r = b + J u for the present p.
   void refresh() {
-    apply_pressure(pool_, *problem_.data, *problem_.cache, problem_.wall, work_.pressure, work_.displacement);
-    compute_rate(pool_, *problem_.data, *problem_.cache, problem_.wall, work_.displacement, false, work_.residual);
-    passes_ += 2;
+    apply(work_.pressure, work_.displacement, work_.residual);
     start_residuals(work_.residual.data());
   }
   void start_residuals(const float* rate) {
@@ -160,35 +185,49 @@ SolveReport iterate_conjugate_gradient(Solver& solver, const SolveSettings& sett
   return report;
 }
 
-SolveReport iterate_jacobi(Solver& solver, const SolveSettings& settings, Totals state) {
+/// Sweeps until the error is below the tolerance; `sweep` makes one and returns what it leaves.
+template <class Sweep>
+SolveReport iterate_sweeps(const Solver& solver, const SolveSettings& settings, Totals state, Sweep&& sweep) {
   SolveReport report;
   for (;;) {
     report.residual = solver.mean_error(state);
     if (report.residual < settings.tolerance && report.iterations >= settings.min_iterations) break;
     if (report.iterations >= settings.max_iterations) break;
-    state = solver.jacobi(static_cast<float>(settings.jacobi_damping));
+    state = sweep(static_cast<float>(settings.jacobi_damping));
     ++report.iterations;
   }
   return report;
+}
+
+SolveReport iterate(Solver& solver, const SolveSettings& settings, const Totals& first) {
+  switch (settings.method) {
+    case SolveMethod::kConjugateGradient:
+      return iterate_conjugate_gradient(solver, settings, first);
+    case SolveMethod::kJacobi:
+      return iterate_sweeps(solver, settings, first, [&](float damping) { return solver.jacobi(damping); });
+    case SolveMethod::kPaper:
+      return iterate_sweeps(solver, settings, solver.judge_compression(),
+                            [&](float damping) { return solver.clamped_jacobi(damping); });
+  }
+  return {};
 }
 
 }  // namespace
 
 SolveReport solve_constraint(TaskPool& pool, const ConstraintProblem& problem, const SolveSettings& settings,
                              std::span<float> memory, SolveWorkspace& work, std::uint32_t& pair_passes) {
-  const std::size_t padded = padded_count(problem.data->count);
+  const PairData& data = *problem.data;
+  const std::size_t padded = data.ghosts ? extended_count(data.count, *data.ghosts) : padded_count(data.count);
   for (std::vector<float>* v : {&work.pressure, &work.start, &work.residual, &work.direction, &work.image})
     v->resize(padded, 0.0F);
   // The far dummy carries no pressure and does not move.
-  for (std::size_t i = problem.data->count; i < padded; ++i)
+  for (std::size_t i = data.count; i < padded_count(data.count); ++i)
     work.pressure[i] = work.start[i] = work.residual[i] = work.direction[i] = work.image[i] = 0.0F;
   work.displacement.resize(padded);
   work.trial.resize(padded);
   Solver solver(pool, problem, work, pair_passes);
-  const Totals first = solver.start(memory);
-  SolveReport report = settings.method == SolveMethod::kConjugateGradient
-                           ? iterate_conjugate_gradient(solver, settings, first)
-                           : iterate_jacobi(solver, settings, first);
+  const Totals first = solver.start(memory, settings.method == SolveMethod::kPaper ? 0.0F : static_cast<float>(settings.warm_start));
+  SolveReport report = iterate(solver, settings, first);
   report.converged = report.residual < settings.tolerance;
   solver.remember(memory);
   return report;

@@ -28,8 +28,8 @@ void place_particles(FluidParticles& p, std::span<const Float4> positions) {
 }
 
 void place_tank(TaskPool& pool, FluidState& state) {
-  std::vector<Float4> samples = sample_box(state.parameters.tank, state.parameters.spacing);
-  assign_boundary_volumes(pool, state.parameters.support_radius, samples);
+  const FluidParameters& q = state.parameters;
+  std::vector<Float4> samples = sample_tank(pool, q.tank, q.edges, q.spacing, q.support_radius);
   state.static_grid.sort(pool, samples, state.order);
   state.static_grid.mark_near_cells();
   BoundaryParticles& walls = state.walls;
@@ -55,16 +55,14 @@ FluidState make_fluid(TaskPool& pool, const FluidParameters& parameters, std::sp
   FluidState state;
   state.parameters = parameters;
   const Region region = grid_region(parameters);
-  state.fluid_grid = state.static_grid = state.moving_grid = CellGrid(region, parameters.support_radius);
+  state.fluid_grid = state.static_grid = state.moving_grid = state.ghosts.grid = CellGrid(region, parameters.support_radius);
   place_particles(state.particles, positions);
   // At rest gravity is the only acceleration; the first step acts with it.
   std::fill(state.particles.acceleration.begin(), state.particles.acceleration.end(),
             Float4{0.0F, 0.0F, static_cast<float>(-parameters.gravity), 0.0F});
   place_tank(pool, state);
   const std::size_t padded = padded_count(state.particles.count);
-  state.alpha.assign(padded, 0.0F);
   state.source.assign(padded, 0.0F);
-  state.wall_gradient.assign(padded, {});
   return state;
 }
 
@@ -75,12 +73,22 @@ void advance_fluid(TaskPool& pool, FluidState& state, double dt, Clock clock, St
     case Scheme::kHybrid:
       advance_hybrid(pool, state, dt, clock, report);
       break;
+    case Scheme::kDfsph:
+      advance_dfsph(pool, state, dt, clock, report);
+      break;
+    case Scheme::kPbf:
+      advance_pbf(pool, state, dt, clock, report);
+      break;
+    case Scheme::kCorrected:
+      advance_corrected(pool, state, dt, clock, report);
+      break;
   }
   state.last_dt = dt;
 }
 
 void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report) {
   const FluidParameters& q = state.parameters;
+  extend_velocities(pool, state);
   compute_acceleration(pool, pair_data(state), state.particles.velocity, static_cast<float>(q.viscosity),
                        static_cast<float>(q.gravity), state.particles.acceleration);
   ++report.pair_passes;

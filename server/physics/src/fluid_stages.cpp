@@ -9,14 +9,19 @@ namespace pelagos {
 
 namespace {
 
+/// A correction never exceeds this share of the spacing.
+constexpr double kLargestCorrection = 0.25;
+
 /// values[k] = values[order[k]], the padding left as it is.
 template <class T>
 void permute(TaskPool& pool, std::span<const std::uint32_t> order, std::vector<T>& values, std::vector<T>& scratch) {
-  scratch.resize(values.size());
+  if (scratch.size() < values.size()) scratch.resize(values.size());
+  const std::size_t padded = padded_count(order.size());
   pool.for_each_range(order.size(), kPointBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) scratch[k] = values[order[k]];
   });
-  std::copy(values.begin() + static_cast<std::ptrdiff_t>(order.size()), values.end(),
+  std::copy(values.begin() + static_cast<std::ptrdiff_t>(order.size()),
+            values.begin() + static_cast<std::ptrdiff_t>(padded),
             scratch.begin() + static_cast<std::ptrdiff_t>(order.size()));
   values.swap(scratch);
 }
@@ -47,6 +52,7 @@ PairData pair_data(const FluidState& state) {
   data.fluid = &state.fluid_list;
   data.boundary = &state.wall_list;
   data.walls = &state.walls;
+  data.ghosts = state.ghosts.empty() ? nullptr : &state.ghosts;
   data.walls_move = !state.moving_position.empty();
   data.support_radius = static_cast<float>(state.parameters.support_radius);
   data.volume = static_cast<float>(state.parameters.volume());
@@ -54,10 +60,25 @@ PairData pair_data(const FluidState& state) {
   return data;
 }
 
+void accelerate(TaskPool& pool, FluidState& state, double dt) {
+  FluidParticles& p = state.particles;
+  pool.for_each_range(p.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
+    add_scaled(begin, end, static_cast<float>(dt), p.acceleration.data(), p.velocity.data());
+  });
+}
+
+void drift(TaskPool& pool, FluidState& state, double dt) {
+  FluidParticles& p = state.particles;
+  pool.for_each_range(p.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
+    add_scaled(begin, end, static_cast<float>(dt), p.velocity.data(), p.position.data());
+  });
+}
+
 void predict(TaskPool& pool, FluidState& state, double dt) {
   FluidParticles& p = state.particles;
   pool.for_each_range(p.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
-    predict_motion(begin, end, static_cast<float>(dt), p.acceleration.data(), p.velocity.data(), p.position.data());
+    add_scaled(begin, end, static_cast<float>(dt), p.acceleration.data(), p.velocity.data());
+    add_scaled(begin, end, static_cast<float>(dt), p.velocity.data(), p.position.data());
   });
 }
 
@@ -68,15 +89,40 @@ void sort_particles(TaskPool& pool, FluidState& state) {
   permute(pool, state.order, p.position, state.sorted_record);
   permute(pool, state.order, p.velocity, state.sorted_record);
   permute(pool, state.order, p.density_pressure, state.sorted_scalar);
+  if (state.parameters.scheme == Scheme::kCorrected)  // the others start this solve cold
+    permute(pool, state.order, p.divergence_pressure, state.sorted_scalar);
   permute(pool, state.order, p.id, state.sorted_id);
+  if (!has_ghosts(state.parameters.edges)) return;
+  make_ghosts(pool, state.parameters.tank, state.parameters.edges,
+              static_cast<float>(state.parameters.support_radius), p.count, p.position, state.ghosts);
+  if (p.velocity.size() < p.position.size()) p.velocity.resize(p.position.size());
+  extend_velocities(pool, state);
+}
+
+void wrap(TaskPool& pool, FluidState& state) {
+  FluidParticles& p = state.particles;
+  if (has_ghosts(state.parameters.edges))
+    wrap_particles(pool, state.parameters.tank, state.parameters.edges, p.count, p.position, p.velocity);
+}
+
+void extend_positions(TaskPool& pool, FluidState& state) {
+  if (!state.ghosts.empty()) extend_positions(pool, state.ghosts, state.particles.position);
+}
+
+void extend_velocities(TaskPool& pool, FluidState& state) {
+  if (!state.ghosts.empty()) extend_vectors(pool, state.ghosts, state.particles.velocity);
 }
 
 void search_neighbors(TaskPool& pool, FluidState& state, StepReport& report) {
   const FluidParticles& p = state.particles;
   const std::span<const Float4> query{p.position.data(), p.count};
   const auto radius = static_cast<float>(state.parameters.support_radius);
-  const SearchSource fluid{&state.fluid_grid, p.position.data(), 0};
-  const SearchReport found = find_neighbors(pool, state.fluid_grid, query, {&fluid, 1}, radius,
+  const Ghosts& ghosts = state.ghosts;
+  const SearchSource fluid[2] = {
+      {&state.fluid_grid, p.position.data(), 0},
+      {&ghosts.grid, p.position.data() + ghosts.begin, static_cast<std::uint32_t>(ghosts.begin)}};
+  const std::size_t fluid_sources = ghosts.empty() ? 1 : 2;
+  const SearchReport found = find_neighbors(pool, state.fluid_grid, query, {fluid, fluid_sources}, radius,
                                             static_cast<std::int32_t>(p.count), state.fluid_list);
   report.pairs = found.pairs;
   const SearchSource walls[2] = {{&state.static_grid, state.walls.position.data(), 0},
@@ -89,8 +135,71 @@ void search_neighbors(TaskPool& pool, FluidState& state, StepReport& report) {
 }
 
 void refresh_density(TaskPool& pool, FluidState& state, StepReport& report) {
-  compute_density(pool, pair_data(state), state.particles.density, state.alpha, state.wall_gradient, state.gradients);
+  compute_density(pool, pair_data(state), state.particles.density, state.gradients);
   ++report.pair_passes;
+}
+
+float warm_factor(const FluidState& state, double dt) {
+  if (state.last_dt <= 0.0) return 0.0F;
+  const double ratio = std::min(dt / state.last_dt, kLargestStepRatio);
+  return static_cast<float>(ratio * ratio);
+}
+
+void solve_density(TaskPool& pool, FluidState& state, float warm_factor, StepReport& report) {
+  FluidParticles& p = state.particles;
+  const PairData data = pair_data(state);
+  for_each_particle(pool, state, [&](std::size_t i) { state.source[i] = p.density[i] - 1.0F; });
+  const ConstraintProblem problem{&data, &state.gradients, state.source, warm_factor};
+  report.density = solve_constraint(pool, problem, state.parameters.density, p.density_pressure, state.work,
+                                    report.pair_passes);
+}
+
+std::uint32_t apply_correction(TaskPool& pool, FluidState& state, const CorrectionTargets& targets) {
+  FluidParticles& p = state.particles;
+  std::vector<std::uint32_t> bounded((p.count + kPointBlock - 1) / kPointBlock);
+  const auto bound = static_cast<float>(kLargestCorrection * state.parameters.spacing);
+  const float inverse_span = targets.span > 0.0 ? static_cast<float>(1.0 / targets.span) : 0.0F;
+  Float4* position = targets.positions ? p.position.data() : nullptr;
+  Float4* velocity = targets.span > 0.0 ? p.velocity.data() : nullptr;
+  pool.for_each_range(p.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
+    bounded[begin / kPointBlock] =
+        apply_displacement(begin, end, bound, inverse_span, state.work.displacement.data(), position, velocity);
+  });
+  std::uint32_t total = 0;
+  for (const std::uint32_t b : bounded) total += b;
+  return total;
+}
+
+double mean_compression(TaskPool& pool, const FluidState& state) {
+  const FluidParticles& p = state.particles;
+  std::vector<double> partial((p.count + kPointBlock - 1) / kPointBlock);
+  pool.for_each_range(p.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) sum += static_cast<double>(std::max(p.density[i] - 1.0F, 0.0F));
+    partial[begin / kPointBlock] = sum;
+  });
+  double total = 0.0;
+  for (const double sum : partial) total += sum;
+  return total / static_cast<double>(std::max<std::size_t>(p.count, 1));
+}
+
+void solve_divergence(TaskPool& pool, FluidState& state, double dt, StepReport& report) {
+  FluidParticles& p = state.particles;
+  const PairData data = pair_data(state);
+  const SolveSettings& settings = state.parameters.divergence;
+  extend_velocities(pool, state);
+  compute_rate(pool, data, state.gradients, p.velocity, data.walls_move, state.source);
+  ++report.pair_passes;
+  const auto step = static_cast<float>(dt);
+  // Literal: only what closes in is a source (Bender and Koschier 2015).
+  const bool clamped = settings.method == SolveMethod::kPaper;
+  for_each_particle(pool, state, [&](std::size_t i) {
+    state.source[i] = step * (clamped ? std::max(state.source[i], 0.0F) : state.source[i]);
+  });
+  const ConstraintProblem problem{&data, &state.gradients, state.source, 0.0F};
+  report.divergence =
+      solve_constraint(pool, problem, settings, p.divergence_pressure, state.work, report.pair_passes);
+  apply_correction(pool, state, {false, dt});
 }
 
 }  // namespace pelagos

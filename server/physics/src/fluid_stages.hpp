@@ -6,23 +6,79 @@ namespace pelagos {
 
 // The stages that schemes share, in the order in which they usually come.
 
+/// v += dt a
+void accelerate(TaskPool& pool, FluidState& state, double dt);
+/// x += dt v
+void drift(TaskPool& pool, FluidState& state, double dt);
 /// v* = v + dt a;  x* = x + dt v*
 void predict(TaskPool& pool, FluidState& state, double dt);
-/// Sorts the particles and the moving samples by cell at their present positions.
+/// Brings particles that have crossed mirrored or periodic faces back. Nothing without such faces.
+void wrap(TaskPool& pool, FluidState& state);
+/// Sorts the particles and the moving samples by cell at their present positions, and makes the images that mirrored
+/// and periodic faces need, of positions and velocities.
 void sort_particles(TaskPool& pool, FluidState& state);
+/// Brings the images of positions up to date, and of velocities. Nothing without images.
+void extend_positions(TaskPool& pool, FluidState& state);
+void extend_velocities(TaskPool& pool, FluidState& state);
 /// Neighbour lists at the present positions.
 void search_neighbors(TaskPool& pool, FluidState& state, StepReport& report);
-/// delta, alpha, wall gradients and the gradient cache at the present positions.
+/// Density and plain gradients at the present positions.
 void refresh_density(TaskPool& pool, FluidState& state, StepReport& report);
 /// The view that pair passes read.
 [[nodiscard]] PairData pair_data(const FluidState& state);
 
+/// Calls f(i) for every particle.
+template <class F>
+void for_each_particle(TaskPool& pool, const FluidState& state, F&& f);
+
+/// (dt / last dt)^2, the factor on carried pressures; 0 before the first step. Pressures follow dt^2, but the repair of
+/// density in them does not: after a sliver of a step it would be blown up, so the ratio is bounded.
+[[nodiscard]] float warm_factor(const FluidState& state, double dt);
+/// Density constraint on the present positions: source = delta - 1; work.displacement holds the corrections.
+void solve_density(TaskPool& pool, FluidState& state, float warm_factor, StepReport& report);
+/// x += u and v += u / span with |u| <= d/4 for each particle; either target may be left out. Returns how many
+/// corrections were bounded: a leaking column would blow up otherwise.
+struct CorrectionTargets {
+  bool positions = false;
+  double span = 0.0;  ///< s; 0: velocities stay
+};
+std::uint32_t apply_correction(TaskPool& pool, FluidState& state, const CorrectionTargets& targets);
+/// Mean of max(delta - 1, 0) over the particles.
+[[nodiscard]] double mean_compression(TaskPool& pool, const FluidState& state);
+/// A velocity without divergence: source = dt J v, cold.
+void solve_divergence(TaskPool& pool, FluidState& state, double dt, StepReport& report);
+
 void advance_hybrid(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report);
+void advance_dfsph(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report);
+void advance_pbf(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report);
+void advance_corrected(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report);
+
+/// Runs a stage under its name in the profile.
+template <class F>
+void run_stage(StepReport& report, Clock clock, Stage stage, F&& f) {
+  const StageScope scope(report.times, clock, stage);
+  f();
+}
 
 /// The far dummy that pads arrays of positions.
 inline constexpr Float4 kFarRecord{1e9F, 1e9F, 1e9F, 0.0F};
 
+/// m/s^2, for what needs a scale where there is no gravity.
+inline constexpr double kStandardGravity = 9.81;
+/// The filter's explicit step is stable up to about 1; it never takes more than this share of the noise at once.
+inline constexpr double kLargestFilterStep = 0.5;
+
 /// Particles in one block of pointwise work.
 inline constexpr std::size_t kPointBlock = 2048;
+
+/// After a step that was cut short, corrections act as a velocity over no less than the last step by this ratio.
+inline constexpr double kLargestStepRatio = 2.0;
+
+template <class F>
+void for_each_particle(TaskPool& pool, const FluidState& state, F&& f) {
+  pool.for_each_range(state.particles.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) f(i);
+  });
+}
 
 }  // namespace pelagos

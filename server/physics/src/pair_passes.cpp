@@ -26,92 +26,267 @@ HWY_INLINE void for_each_part(std::size_t group, F&& f) {
   for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(FloatTag())) f(lane, group * kLanes + lane);
 }
 
+/// Squared length and kernel of a pair.
+struct PairGeometry {
+  FloatV x, y, z, r_squared;
+};
+HWY_INLINE PairGeometry difference(const Vec4& own, const Vec4& other) {
+  const FloatV x = hn::Sub(own.x, other.x), y = hn::Sub(own.y, other.y), z = hn::Sub(own.z, other.z);
+  return {x, y, z, hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)))};
+}
+
+/// Scales of the cubic spline for pairs of fluid (volume V) and for wall samples (volume in the record).
+struct KernelScales {
+  FloatV support, inverse_support, value, gradient_spacing, wall_value, wall_gradient;
+};
+HWY_INLINE KernelScales kernel_scales(const PairData& data) {
+  const FloatTag d;
+  const float radius = data.support_radius, sigma = static_cast<float>(8.0 / M_PI) / (radius * radius * radius);
+  const float squared = radius * radius;
+  return {hn::Set(d, radius),
+          hn::Set(d, 1.0F / radius),
+          hn::Set(d, sigma * data.volume),
+          hn::Set(d, sigma * data.volume * data.spacing / squared),
+          hn::Set(d, sigma),
+          hn::Set(d, sigma / squared)};
+}
+
+struct Vec3 {
+  FloatV x, y, z;
+};
+HWY_INLINE Vec3 zero3() { return {hn::Zero(FloatTag()), hn::Zero(FloatTag()), hn::Zero(FloatTag())}; }
+HWY_INLINE FloatV dot(const Vec3& a, const Vec3& b, FloatV plus) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::MulAdd(a.z, b.z, plus)));
+}
+HWY_INLINE void add_to(Vec3& sum, const Vec3& v) {
+  sum.x = hn::Add(sum.x, v.x);
+  sum.y = hn::Add(sum.y, v.y);
+  sum.z = hn::Add(sum.z, v.z);
+}
+HWY_INLINE Vec3 scaled(const PairGeometry& pair, FloatV factor) {
+  return {hn::Mul(factor, pair.x), hn::Mul(factor, pair.y), hn::Mul(factor, pair.z)};
+}
+
+/// Keeps a gradient; returns it as it will be read back, so that sums agree with it.
+HWY_INLINE Vec3 keep_gradient(const Vec3& v, CachedGradient* out) {
+  return {store_cached(v.x, out), store_cached(v.y, out + kLanes), store_cached(v.z, out + 2 * kLanes)};
+}
+HWY_INLINE Vec3 kept_gradient(const CachedGradient* from) {
+  return {load_cached(from), load_cached(from + kLanes), load_cached(from + 2 * kLanes)};
+}
+
+/// Symmetric matrix, one a lane.
+struct Symmetric {
+  FloatV xx, xy, xz, yy, yz, zz;
+};
+HWY_INLINE Vec3 multiply(const Symmetric& m, const Vec3& v) {
+  const auto row = [&](FloatV a, FloatV b, FloatV c) HWY_ATTR {
+    return hn::MulAdd(a, v.x, hn::MulAdd(b, v.y, hn::Mul(c, v.z)));
+  };
+  return {row(m.xx, m.xy, m.xz), row(m.xy, m.yy, m.yz), row(m.xz, m.yz, m.zz)};
+}
+
+/// sum of a_ij over the fluid (times spacing) and of their squares.
+struct GradientSums {
+  Vec3 sum;
+  FloatV squares;
+};
+
+/// Writes alpha, S and the wall part of a vector of particles.
+HWY_INLINE void store_gradient_sums(const PairData& data, const GradientSums& fluid, const Vec3& wall, FloatV wall_rate,
+                                    std::size_t i, Float4* sum_out, Float4* wall_out, float* alpha_out) {
+  const FloatTag d;
+  const FloatV spacing = hn::Set(d, data.spacing), inverse_spacing = hn::Set(d, 1.0F / data.spacing);
+  const Vec3 total{hn::MulAdd(wall.x, spacing, fluid.sum.x), hn::MulAdd(wall.y, spacing, fluid.sum.y),
+                   hn::MulAdd(wall.z, spacing, fluid.sum.z)};
+  const FloatV diagonal = dot(total, total, fluid.squares);
+  const FloatV inverse = hn::Div(hn::Set(d, data.spacing * data.spacing), diagonal);
+  hn::StoreU(hn::IfThenElseZero(hn::Gt(diagonal, hn::Set(d, kAlphaFloor)), inverse), d, alpha_out + i);
+  store_records({hn::Mul(total.x, inverse_spacing), hn::Mul(total.y, inverse_spacing),
+                 hn::Mul(total.z, inverse_spacing), hn::Zero(d)},
+                sum_out + i);
+  store_records({wall.x, wall.y, wall.z, wall_rate}, wall_out + i);
+}
+
 void density_groups(const PairData& data, std::size_t first_group, std::size_t last_group, float* delta, float* alpha,
-                    Float4* wall, void* cache_words) {
+                    Float4* sum, Float4* wall, void* cache_words) {
   const FloatTag d;
   auto* cache = static_cast<CachedGradient*>(cache_words);
-  const float radius = data.support_radius;
-  const FloatV support = hn::Set(d, radius), inverse_support = hn::Set(d, 1.0F / radius);
-  const float sigma = static_cast<float>(8.0 / M_PI) / (radius * radius * radius);
-  const FloatV value_scale = hn::Set(d, sigma * data.volume);
-  const FloatV gradient_scale = hn::Set(d, sigma * data.volume * data.spacing / (radius * radius));
-  const FloatV wall_scale = hn::Set(d, sigma / (radius * radius));
+  const KernelScales scales = kernel_scales(data);
   for (std::size_t group = first_group; group < last_group; ++group)
     for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
       const Vec4 own = load_records(data.position + i);
-      FloatV sum = hn::Zero(d), gx = sum, gy = sum, gz = sum, squares = sum;
+      FloatV weight = hn::Zero(d);
+      GradientSums sums{zero3(), hn::Zero(d)};
       const NeighborList::SlotRange fluid = data.fluid->groups[group];
       for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
         const Vec4 other = gather_records(data.position, data.fluid->slots.data() + s * kLanes + lane);
-        const FloatV x = hn::Sub(own.x, other.x), y = hn::Sub(own.y, other.y), z = hn::Sub(own.z, other.z);
-        const FloatV r2 = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
-        const KernelPair kernel = cubic_spline(r2, support, inverse_support);
-        const FloatV factor = hn::Mul(kernel.gradient_factor, gradient_scale);
-        const FloatV px = hn::Mul(factor, x), py = hn::Mul(factor, y), pz = hn::Mul(factor, z);
-        CachedGradient* out = cache + s * kCacheStride + lane;
-        store_cached(px, out);
-        store_cached(py, out + kLanes);
-        store_cached(pz, out + 2 * kLanes);
-        sum = hn::Add(sum, kernel.value);
-        gx = hn::Add(gx, px);
-        gy = hn::Add(gy, py);
-        gz = hn::Add(gz, pz);
-        squares = hn::MulAdd(px, px, hn::MulAdd(py, py, hn::MulAdd(pz, pz, squares)));
+        const PairGeometry pair = difference(own, other);
+        const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
+        const Vec3 g = keep_gradient(scaled(pair, hn::Mul(kernel.gradient_factor, scales.gradient_spacing)),
+                                     cache + s * kCacheStride + lane);
+        weight = hn::Add(weight, kernel.value);
+        add_to(sums.sum, g);
+        sums.squares = dot(g, g, sums.squares);
       }
-      FloatV density = hn::Mul(sum, value_scale);
-      FloatV wx = hn::Zero(d), wy = wx, wz = wx, rate = wx;
+      FloatV density = hn::Mul(weight, scales.value), rate = hn::Zero(d);
+      Vec3 wall_sum = zero3();
       const NeighborList::SlotRange walls = data.boundary->groups[group];
       for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
         const std::int32_t* index = data.boundary->slots.data() + s * kLanes + lane;
         const Vec4 other = gather_records(data.walls->position.data(), index);
-        const FloatV x = hn::Sub(own.x, other.x), y = hn::Sub(own.y, other.y), z = hn::Sub(own.z, other.z);
-        const FloatV r2 = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
-        const KernelPair kernel = cubic_spline(r2, support, inverse_support);
-        density = hn::MulAdd(hn::Mul(kernel.value, hn::Set(d, sigma)), other.w, density);
-        const FloatV factor = hn::Mul(hn::Mul(kernel.gradient_factor, wall_scale), other.w);
-        const FloatV px = hn::Mul(factor, x), py = hn::Mul(factor, y), pz = hn::Mul(factor, z);
-        wx = hn::Add(wx, px);
-        wy = hn::Add(wy, py);
-        wz = hn::Add(wz, pz);
+        const PairGeometry pair = difference(own, other);
+        const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
+        density = hn::MulAdd(hn::Mul(kernel.value, scales.wall_value), other.w, density);
+        const Vec3 g = scaled(pair, hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w));
+        add_to(wall_sum, g);
         if (data.walls_move) {
-          const Vec4 velocity = gather_records(data.walls->velocity.data(), index);
-          rate = hn::MulAdd(velocity.x, px, hn::MulAdd(velocity.y, py, hn::MulAdd(velocity.z, pz, rate)));
+          const Vec4 v = gather_records(data.walls->velocity.data(), index);
+          rate = dot({v.x, v.y, v.z}, g, rate);
         }
       }
-      store_records({wx, wy, wz, rate}, wall + i);
-      const FloatV spacing = hn::Set(d, data.spacing);
-      gx = hn::MulAdd(wx, spacing, gx);
-      gy = hn::MulAdd(wy, spacing, gy);
-      gz = hn::MulAdd(wz, spacing, gz);
-      const FloatV diagonal = hn::MulAdd(gx, gx, hn::MulAdd(gy, gy, hn::MulAdd(gz, gz, squares)));
-      const FloatV inverse = hn::Div(hn::Set(d, data.spacing * data.spacing), diagonal);
       hn::StoreU(density, d, delta + i);
-      hn::StoreU(hn::IfThenElseZero(hn::Gt(diagonal, hn::Set(d, kAlphaFloor)), inverse), d, alpha + i);
+      store_gradient_sums(data, sums, wall_sum, rate, i, sum, wall, alpha);
+    });
+}
+
+/// The inverse of M blended into the unit matrix where M is nearly singular. Weight as in compute_corrections.
+HWY_INLINE void store_correction(const Symmetric& m, Float4* first, Float4* second) {
+  const FloatTag d;
+  const FloatV one = hn::Set(d, 1.0F), zero = hn::Zero(d);
+  const auto minor = [](FloatV a, FloatV b, FloatV c, FloatV e) HWY_ATTR {
+    return hn::Sub(hn::Mul(a, b), hn::Mul(c, e));
+  };
+  const FloatV cxx = minor(m.yy, m.zz, m.yz, m.yz), cxy = minor(m.xz, m.yz, m.xy, m.zz),
+               cxz = minor(m.xy, m.yz, m.xz, m.yy), cyy = minor(m.xx, m.zz, m.xz, m.xz),
+               cyz = minor(m.xy, m.xz, m.xx, m.yz), czz = minor(m.xx, m.yy, m.xy, m.xy);
+  const FloatV det = hn::MulAdd(m.xx, cxx, hn::MulAdd(m.xy, cxy, hn::Mul(m.xz, cxz)));
+  const FloatV t = hn::Min(one, hn::Max(zero, hn::Mul(hn::Sub(det, hn::Set(d, 0.05F)), hn::Set(d, 1.0F / 0.15F))));
+  const FloatV w = hn::Mul(hn::Mul(t, t), hn::NegMulAdd(hn::Set(d, 2.0F), t, hn::Set(d, 3.0F)));
+  const FloatV rest = hn::Sub(one, w);
+  const FloatV factor = hn::Div(w, hn::Max(det, hn::Set(d, 0.04F)));
+  store_records({hn::MulAdd(cxx, factor, rest), hn::Mul(cxy, factor), hn::Mul(cxz, factor),
+                 hn::MulAdd(cyy, factor, rest)},
+                first);
+  store_records({hn::Mul(cyz, factor), hn::MulAdd(czz, factor, rest), w, zero}, second);
+}
+
+HWY_INLINE void add_moments(const PairGeometry& pair, FloatV factor, Symmetric& m) {
+  const FloatV fx = hn::Mul(factor, pair.x), fy = hn::Mul(factor, pair.y), fz = hn::Mul(factor, pair.z);
+  m.xx = hn::NegMulAdd(fx, pair.x, m.xx);
+  m.xy = hn::NegMulAdd(fx, pair.y, m.xy);
+  m.xz = hn::NegMulAdd(fx, pair.z, m.xz);
+  m.yy = hn::NegMulAdd(fy, pair.y, m.yy);
+  m.yz = hn::NegMulAdd(fy, pair.z, m.yz);
+  m.zz = hn::NegMulAdd(fz, pair.z, m.zz);
+}
+
+void correction_groups(const PairData& data, std::size_t first_group, std::size_t last_group, float* delta,
+                       Float4* first, Float4* second) {
+  const FloatTag d;
+  const KernelScales scales = kernel_scales(data);
+  const FloatV gradient_scale = hn::Mul(scales.gradient_spacing, hn::Set(d, 1.0F / data.spacing));
+  for (std::size_t group = first_group; group < last_group; ++group)
+    for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
+      const Vec4 own = load_records(data.position + i);
+      const FloatV zero = hn::Zero(d);
+      FloatV weight = zero;
+      Symmetric m{zero, zero, zero, zero, zero, zero};
+      const NeighborList::SlotRange fluid = data.fluid->groups[group];
+      for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
+        const PairGeometry pair =
+            difference(own, gather_records(data.position, data.fluid->slots.data() + s * kLanes + lane));
+        const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
+        weight = hn::Add(weight, kernel.value);
+        add_moments(pair, hn::Mul(kernel.gradient_factor, gradient_scale), m);
+      }
+      FloatV density = hn::Mul(weight, scales.value);
+      const NeighborList::SlotRange walls = data.boundary->groups[group];
+      for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
+        const Vec4 other =
+            gather_records(data.walls->position.data(), data.boundary->slots.data() + s * kLanes + lane);
+        const PairGeometry pair = difference(own, other);
+        const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
+        density = hn::MulAdd(hn::Mul(kernel.value, scales.wall_value), other.w, density);
+        add_moments(pair, hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w), m);
+      }
+      hn::StoreU(density, d, delta + i);
+      store_correction(m, first + i, second + i);
+    });
+}
+
+HWY_INLINE Symmetric symmetric(const Vec4& first, const Vec4& second) {
+  return {first.x, first.y, first.z, first.w, second.x, second.y};
+}
+
+void corrected_gradient_groups(const PairData& data, std::size_t first_group, std::size_t last_group,
+                               const Float4* first, const Float4* second, float* alpha, Float4* sum, Float4* wall,
+                               void* own_words, void* other_words) {
+  const FloatTag d;
+  auto *own_cache = static_cast<CachedGradient*>(own_words), *other_cache = static_cast<CachedGradient*>(other_words);
+  const KernelScales scales = kernel_scales(data);
+  for (std::size_t group = first_group; group < last_group; ++group)
+    for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
+      const Vec4 own = load_records(data.position + i);
+      const Symmetric own_correction = symmetric(load_records(first + i), load_records(second + i));
+      GradientSums sums{zero3(), hn::Zero(d)};
+      const NeighborList::SlotRange fluid = data.fluid->groups[group];
+      for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
+        const std::int32_t* index = data.fluid->slots.data() + s * kLanes + lane;
+        const PairGeometry pair = difference(own, gather_records(data.position, index));
+        const FloatV factor =
+            hn::Mul(cubic_spline(pair.r_squared, scales.support, scales.inverse_support).gradient_factor,
+                    scales.gradient_spacing);
+        const Vec3 plain = scaled(pair, factor);
+        const std::size_t at = s * kCacheStride + lane;
+        const Vec3 g = keep_gradient(multiply(own_correction, plain), own_cache + at);
+        keep_gradient(multiply(symmetric(gather_records(first, index), gather_records(second, index)), plain),
+                      other_cache + at);
+        add_to(sums.sum, g);
+        sums.squares = dot(g, g, sums.squares);
+      }
+      FloatV rate = hn::Zero(d);
+      Vec3 wall_sum = zero3();
+      const NeighborList::SlotRange walls = data.boundary->groups[group];
+      for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
+        const std::int32_t* index = data.boundary->slots.data() + s * kLanes + lane;
+        const Vec4 other = gather_records(data.walls->position.data(), index);
+        const PairGeometry pair = difference(own, other);
+        const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
+        const FloatV factor = hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w);
+        const Vec3 g = multiply(own_correction, scaled(pair, factor));
+        add_to(wall_sum, g);
+        if (data.walls_move) {
+          const Vec4 v = gather_records(data.walls->velocity.data(), index);
+          rate = dot({v.x, v.y, v.z}, g, rate);
+        }
+      }
+      store_gradient_sums(data, sums, wall_sum, rate, i, sum, wall, alpha);
     });
 }
 
 void pressure_groups(const PairData& data, std::size_t first_group, std::size_t last_group, const void* cache_words,
-                     const Float4* wall, const float* pressure, Float4* displacement) {
+                     const Float4* sum, const float* pressure, Float4* displacement) {
   const FloatTag d;
   const auto* cache = static_cast<const CachedGradient*>(cache_words);
   const FloatV minus_inverse_spacing = hn::Set(d, -1.0F / data.spacing);
   for (std::size_t group = first_group; group < last_group; ++group)
     for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
       const FloatV own = hn::LoadU(d, pressure + i);
-      FloatV x = hn::Zero(d), y = x, z = x;
+      Vec3 push = zero3();
       const NeighborList::SlotRange fluid = data.fluid->groups[group];
       for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
         const IntV index = hn::LoadU(IntTag(), data.fluid->slots.data() + s * kLanes + lane);
-        const FloatV both = hn::Add(own, hn::GatherIndex(d, pressure, index));
-        const CachedGradient* g = cache + s * kCacheStride + lane;
-        x = hn::MulAdd(both, load_cached(g), x);
-        y = hn::MulAdd(both, load_cached(g + kLanes), y);
-        z = hn::MulAdd(both, load_cached(g + 2 * kLanes), z);
+        const FloatV other = hn::GatherIndex(d, pressure, index);
+        const Vec3 g = kept_gradient(cache + s * kCacheStride + lane);
+        push.x = hn::MulAdd(other, g.x, push.x);
+        push.y = hn::MulAdd(other, g.y, push.y);
+        push.z = hn::MulAdd(other, g.z, push.z);
       }
-      const Vec4 w = load_records(wall + i);
-      store_records({hn::NegMulAdd(own, w.x, hn::Mul(x, minus_inverse_spacing)),
-                     hn::NegMulAdd(own, w.y, hn::Mul(y, minus_inverse_spacing)),
-                     hn::NegMulAdd(own, w.z, hn::Mul(z, minus_inverse_spacing)), hn::Zero(d)},
+      const Vec4 w = load_records(sum + i);
+      store_records({hn::NegMulAdd(own, w.x, hn::Mul(push.x, minus_inverse_spacing)),
+                     hn::NegMulAdd(own, w.y, hn::Mul(push.y, minus_inverse_spacing)),
+                     hn::NegMulAdd(own, w.z, hn::Mul(push.z, minus_inverse_spacing)), hn::Zero(d)},
                     displacement + i);
     });
 }
@@ -127,16 +302,76 @@ void rate_groups(const PairData& data, std::size_t first_group, std::size_t last
       FloatV sum = hn::Zero(d);
       const NeighborList::SlotRange fluid = data.fluid->groups[group];
       for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
-        const Vec4 other = gather_records(velocity, data.fluid->slots.data() + s * kLanes + lane);
-        const CachedGradient* g = cache + s * kCacheStride + lane;
-        sum = hn::MulAdd(hn::Sub(own.x, other.x), load_cached(g), sum);
-        sum = hn::MulAdd(hn::Sub(own.y, other.y), load_cached(g + kLanes), sum);
-        sum = hn::MulAdd(hn::Sub(own.z, other.z), load_cached(g + 2 * kLanes), sum);
+        const PairGeometry change =
+            difference(own, gather_records(velocity, data.fluid->slots.data() + s * kLanes + lane));
+        sum = dot({change.x, change.y, change.z}, kept_gradient(cache + s * kCacheStride + lane), sum);
       }
       const Vec4 w = load_records(wall + i);
       FloatV walls = hn::MulAdd(own.x, w.x, hn::MulAdd(own.y, w.y, hn::Mul(own.z, w.z)));
       if (moving_walls) walls = hn::Sub(walls, w.w);
       hn::StoreU(hn::MulAdd(sum, inverse_spacing, walls), d, rate + i);
+    });
+}
+
+void velocity_gradient_groups(const PairData& data, std::size_t first_group, std::size_t last_group,
+                              const void* cache_words, const Float4* velocity, Float4* row_x, Float4* row_y,
+                              Float4* row_z) {
+  const FloatTag d;
+  const auto* cache = static_cast<const CachedGradient*>(cache_words);
+  const FloatV scale = hn::Set(d, -1.0F / data.spacing);  // own - other is gathered: hence the sign
+  for (std::size_t group = first_group; group < last_group; ++group)
+    for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
+      const Vec4 own = load_records(velocity + i);
+      Vec3 gx = zero3(), gy = zero3(), gz = zero3();
+      const NeighborList::SlotRange fluid = data.fluid->groups[group];
+      for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
+        const Vec4 other = gather_records(velocity, data.fluid->slots.data() + s * kLanes + lane);
+        const Vec3 g = kept_gradient(cache + s * kCacheStride + lane);
+        const auto add = [&](FloatV change, Vec3& row) HWY_ATTR {
+          row.x = hn::MulAdd(change, g.x, row.x);
+          row.y = hn::MulAdd(change, g.y, row.y);
+          row.z = hn::MulAdd(change, g.z, row.z);
+        };
+        add(hn::Sub(own.x, other.x), gx);
+        add(hn::Sub(own.y, other.y), gy);
+        add(hn::Sub(own.z, other.z), gz);
+      }
+      const auto store = [&](const Vec3& row, FloatV component, Float4* out) HWY_ATTR {
+        store_records({hn::Mul(row.x, scale), hn::Mul(row.y, scale), hn::Mul(row.z, scale), component}, out + i);
+      };
+      store(gx, own.x, row_x);
+      store(gy, own.y, row_y);
+      store(gz, own.z, row_z);
+    });
+}
+
+void filter_groups(const PairData& data, std::size_t first_group, std::size_t last_group, const Float4* row_x,
+                   const Float4* row_y, const Float4* row_z, Float4* change) {
+  const FloatTag d;
+  const KernelScales scales = kernel_scales(data);
+  const FloatV half = hn::Set(d, 0.5F);
+  for (std::size_t group = first_group; group < last_group; ++group)
+    for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
+      const Vec4 own = load_records(data.position + i);
+      const Vec4 own_x = load_records(row_x + i), own_y = load_records(row_y + i), own_z = load_records(row_z + i);
+      Vec3 sum = zero3();
+      const NeighborList::SlotRange fluid = data.fluid->groups[group];
+      for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
+        const std::int32_t* index = data.fluid->slots.data() + s * kLanes + lane;
+        const PairGeometry pair = difference(own, gather_records(data.position, index));
+        const FloatV weight = cubic_spline(pair.r_squared, scales.support, scales.inverse_support).value;
+        const auto add = [&](const Vec4& mine, const Vec4& other, FloatV& to) HWY_ATTR {
+          const Vec3 both{hn::Add(mine.x, other.x), hn::Add(mine.y, other.y), hn::Add(mine.z, other.z)};
+          const FloatV linear = dot(both, {pair.x, pair.y, pair.z}, hn::Zero(d));
+          to = hn::MulAdd(weight, hn::MulAdd(half, linear, hn::Sub(other.w, mine.w)), to);
+        };
+        add(own_x, gather_records(row_x, index), sum.x);
+        add(own_y, gather_records(row_y, index), sum.y);
+        add(own_z, gather_records(row_z, index), sum.z);
+      }
+      store_records({hn::Mul(sum.x, scales.value), hn::Mul(sum.y, scales.value), hn::Mul(sum.z, scales.value),
+                     hn::Zero(d)},
+                    change + i);
     });
 }
 
@@ -181,38 +416,127 @@ namespace pelagos {
 
 HWY_EXPORT(cached_gradient_size);
 HWY_EXPORT(density_groups);
+HWY_EXPORT(correction_groups);
+HWY_EXPORT(corrected_gradient_groups);
 HWY_EXPORT(pressure_groups);
 HWY_EXPORT(rate_groups);
+HWY_EXPORT(velocity_gradient_groups);
+HWY_EXPORT(filter_groups);
 HWY_EXPORT(acceleration_groups);
 
 namespace {
 /// 256 particles a block: small enough to balance two cores, large enough to amortise the claim.
 constexpr std::size_t kGroupsPerBlock = 16;
-}  // namespace
 
-void compute_density(TaskPool& pool, const PairData& data, std::span<float> delta, std::span<float> alpha,
-                     std::span<Float4> wall, GradientCache& cache) {
+template <class F>
+void for_each_group(TaskPool& pool, const PairData& data, F&& f) {
+  pool.for_each_range(data.fluid->groups.size(), kGroupsPerBlock, f);
+}
+
+/// B' = S B S for images, S the reflection.
+void extend_corrections(TaskPool& pool, const Ghosts& ghosts, Corrections& corrections) {
+  pool.for_each_range(ghosts.count, 2048, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Float4 &s = ghosts.sign[k], &a = corrections.first[ghosts.source[k]],
+                   &b = corrections.second[ghosts.source[k]];
+      corrections.first[ghosts.begin + k] = {a.x, s.x * s.y * a.y, s.x * s.z * a.z, a.w};
+      corrections.second[ghosts.begin + k] = {s.y * s.z * b.x, b.y, b.z, 0.0F};
+    }
+  });
+}
+
+/// G' = S G S and v' = S v for images.
+void extend_gradients(TaskPool& pool, const Ghosts& ghosts, VelocityGradients& gradients) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    pool.for_each_range(ghosts.count, 2048, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const Float4 &s = ghosts.sign[k], &g = gradients.row[axis][ghosts.source[k]];
+        const float own = axis == 0 ? s.x : axis == 1 ? s.y : s.z;
+        gradients.row[axis][ghosts.begin + k] = {own * s.x * g.x, own * s.y * g.y, own * s.z * g.z, own * g.w};
+      }
+    });
+}
+
+void reserve_cache(const PairData& data, GradientCache& cache) {
   const std::size_t bytes = data.fluid->slots.size() * 3 * HWY_DYNAMIC_DISPATCH(cached_gradient_size)();
   if (cache.words.size() * sizeof(std::uint32_t) < bytes) cache.words.resize(bytes / sizeof(std::uint32_t));
-  pool.for_each_range(data.fluid->groups.size(), kGroupsPerBlock, [&](std::size_t first, std::size_t last) {
+}
+
+void reserve_gradients(const PairData& data, bool corrected, Gradients& gradients) {
+  const std::size_t padded = padded_count(data.count);
+  gradients.corrected = corrected;
+  gradients.alpha.resize(padded);
+  gradients.sum.resize(padded);
+  gradients.wall.resize(padded);
+  reserve_cache(data, gradients.own);
+  if (corrected) reserve_cache(data, gradients.other);
+}
+}  // namespace
+
+void compute_density(TaskPool& pool, const PairData& data, std::span<float> delta, Gradients& gradients) {
+  reserve_gradients(data, false, gradients);
+  for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
     HWY_DYNAMIC_DISPATCH(density_groups)
-    (data, first, last, delta.data(), alpha.data(), wall.data(), cache.words.data());
+    (data, first, last, delta.data(), gradients.alpha.data(), gradients.sum.data(), gradients.wall.data(),
+     gradients.own.words.data());
   });
 }
 
-void apply_pressure(TaskPool& pool, const PairData& data, const GradientCache& cache, std::span<const Float4> wall,
-                    std::span<const float> pressure, std::span<Float4> displacement) {
-  pool.for_each_range(data.fluid->groups.size(), kGroupsPerBlock, [&](std::size_t first, std::size_t last) {
+void compute_corrections(TaskPool& pool, const PairData& data, std::span<float> delta, Corrections& corrections) {
+  const std::size_t size = data.ghosts ? extended_count(data.count, *data.ghosts) : padded_count(data.count);
+  corrections.first.resize(size);
+  corrections.second.resize(size);
+  for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
+    HWY_DYNAMIC_DISPATCH(correction_groups)
+    (data, first, last, delta.data(), corrections.first.data(), corrections.second.data());
+  });
+  if (data.ghosts) extend_corrections(pool, *data.ghosts, corrections);
+}
+
+void compute_corrected_gradients(TaskPool& pool, const PairData& data, const Corrections& corrections,
+                                 Gradients& gradients) {
+  reserve_gradients(data, true, gradients);
+  for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
+    HWY_DYNAMIC_DISPATCH(corrected_gradient_groups)
+    (data, first, last, corrections.first.data(), corrections.second.data(), gradients.alpha.data(),
+     gradients.sum.data(), gradients.wall.data(), gradients.own.words.data(), gradients.other.words.data());
+  });
+}
+
+void apply_pressure(TaskPool& pool, const PairData& data, const Gradients& gradients, std::span<const float> pressure,
+                    std::span<Float4> displacement) {
+  const GradientCache& cache = gradients.corrected ? gradients.other : gradients.own;
+  for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
     HWY_DYNAMIC_DISPATCH(pressure_groups)
-    (data, first, last, cache.words.data(), wall.data(), pressure.data(), displacement.data());
+    (data, first, last, cache.words.data(), gradients.sum.data(), pressure.data(), displacement.data());
   });
 }
 
-void compute_rate(TaskPool& pool, const PairData& data, const GradientCache& cache, std::span<const Float4> wall,
-                  std::span<const Float4> velocity, bool moving_walls, std::span<float> rate) {
-  pool.for_each_range(data.fluid->groups.size(), kGroupsPerBlock, [&](std::size_t first, std::size_t last) {
+void compute_rate(TaskPool& pool, const PairData& data, const Gradients& gradients, std::span<const Float4> velocity,
+                  bool moving_walls, std::span<float> rate) {
+  for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
     HWY_DYNAMIC_DISPATCH(rate_groups)
-    (data, first, last, cache.words.data(), wall.data(), velocity.data(), moving_walls, rate.data());
+    (data, first, last, gradients.own.words.data(), gradients.wall.data(), velocity.data(), moving_walls, rate.data());
+  });
+}
+
+void compute_velocity_gradients(TaskPool& pool, const PairData& data, const Gradients& gradients,
+                                std::span<const Float4> velocity, VelocityGradients& out) {
+  const std::size_t size = data.ghosts ? extended_count(data.count, *data.ghosts) : padded_count(data.count);
+  for (std::vector<Float4>& row : out.row) row.resize(size);
+  for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
+    HWY_DYNAMIC_DISPATCH(velocity_gradient_groups)
+    (data, first, last, gradients.own.words.data(), velocity.data(), out.row[0].data(), out.row[1].data(),
+     out.row[2].data());
+  });
+  if (data.ghosts) extend_gradients(pool, *data.ghosts, out);
+}
+
+void compute_filter(TaskPool& pool, const PairData& data, const VelocityGradients& gradients,
+                    std::span<Float4> change) {
+  for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
+    HWY_DYNAMIC_DISPATCH(filter_groups)
+    (data, first, last, gradients.row[0].data(), gradients.row[1].data(), gradients.row[2].data(), change.data());
   });
 }
 

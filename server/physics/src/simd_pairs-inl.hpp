@@ -33,11 +33,18 @@ HWY_INLINE FloatV load_cached(const hwy::float16_t* from) {
   return hn::PromoteTo(d, hn::LoadU(hn::Rebind<hwy::float16_t, FloatTag>(), from));
 }
 HWY_INLINE FloatV load_cached(const float* from) { return hn::LoadU(FloatTag(), from); }
-HWY_INLINE void store_cached(FloatV v, hwy::float16_t* to) {
+/// Returns the value as it will be read back.
+HWY_INLINE FloatV store_cached(FloatV v, hwy::float16_t* to) {
+  const FloatTag d;
   const hn::Rebind<hwy::float16_t, FloatTag> d16;
-  hn::StoreU(hn::DemoteTo(d16, v), d16, to);
+  const auto half = hn::DemoteTo(d16, v);
+  hn::StoreU(half, d16, to);
+  return hn::PromoteTo(d, half);
 }
-HWY_INLINE void store_cached(FloatV v, float* to) { hn::StoreU(v, FloatTag(), to); }
+HWY_INLINE FloatV store_cached(FloatV v, float* to) {
+  hn::StoreU(v, FloatTag(), to);
+  return v;
+}
 
 struct Vec4 {
   FloatV x, y, z, w;

@@ -119,15 +119,11 @@ StateSums measure_state_impl(std::size_t begin, std::size_t end, const StateArra
   return {speed, height, largest_speed, compression, largest_density, outside, not_finite};
 }
 
-void predict_motion_impl(std::size_t begin, std::size_t end, float dt, const Float4* acceleration, Float4* velocity,
-                         Float4* position) {
-  const float* a = &acceleration->x;
-  float *v = &velocity->x, *x = &position->x;
+void add_scaled_impl(std::size_t begin, std::size_t end, float factor, const Float4* from, Float4* to) {
+  const float* a = &from->x;
+  float* b = &to->x;
 #pragma omp simd
-  for (std::size_t k = 4 * begin; k < 4 * end; ++k) {
-    v[k] += dt * a[k];
-    x[k] += dt * v[k];
-  }
+  for (std::size_t k = 4 * begin; k < 4 * end; ++k) b[k] += factor * a[k];
 }
 
 std::uint32_t apply_displacement_impl(std::size_t begin, std::size_t end, float bound, float inverse_dt,
@@ -168,7 +164,7 @@ HWY_EXPORT(make_direction_impl);
 HWY_EXPORT(set_image_impl);
 HWY_EXPORT(move_impl);
 HWY_EXPORT(measure_state_impl);
-HWY_EXPORT(predict_motion_impl);
+HWY_EXPORT(add_scaled_impl);
 HWY_EXPORT(apply_displacement_impl);
 
 void start_residual(std::size_t begin, std::size_t end, const SolveArrays& a, const float* rate) {
@@ -189,9 +185,8 @@ SolveSums move(std::size_t begin, std::size_t end, const SolveArrays& a, float t
 StateSums measure_state(std::size_t begin, std::size_t end, const StateArrays& a, float dt) {
   return HWY_DYNAMIC_DISPATCH(measure_state_impl)(begin, end, a, dt);
 }
-void predict_motion(std::size_t begin, std::size_t end, float dt, const Float4* acceleration, Float4* velocity,
-                    Float4* position) {
-  HWY_DYNAMIC_DISPATCH(predict_motion_impl)(begin, end, dt, acceleration, velocity, position);
+void add_scaled(std::size_t begin, std::size_t end, float factor, const Float4* from, Float4* to) {
+  HWY_DYNAMIC_DISPATCH(add_scaled_impl)(begin, end, factor, from, to);
 }
 std::uint32_t apply_displacement(std::size_t begin, std::size_t end, float bound, float inverse_dt,
                                  const Float4* displacement, Float4* position, Float4* velocity) {

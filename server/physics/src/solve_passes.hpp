@@ -59,9 +59,8 @@ struct StateArrays {
 };
 StateSums measure_state(std::size_t begin, std::size_t end, const StateArrays& a, float dt);
 
-/// v += dt a; x += dt v.
-void predict_motion(std::size_t begin, std::size_t end, float dt, const Float4* acceleration, Float4* velocity,
-                    Float4* position);
+/// to += factor * from, in x, y and z.
+void add_scaled(std::size_t begin, std::size_t end, float factor, const Float4* from, Float4* to);
 /// x += u and v += u / dt with |u| bounded; either target may be null. Returns how many were bounded.
 std::uint32_t apply_displacement(std::size_t begin, std::size_t end, float bound, float inverse_dt,
                                  const Float4* displacement, Float4* position, Float4* velocity);

@@ -12,9 +12,49 @@ constexpr double kSupportSpacings = 2.0;
 /// Fluid particles start at least this far outside a hull, in spacings: with samples 0.6 inside it, one spacing away.
 constexpr double kHullClearance = 0.4;
 
-SolveSettings solve_settings(const ConstraintSettings& constraint, PressureMethod method) {
+SolveMethod solve_method(PressureMethod method) {
+  switch (method) {
+    case PressureMethod::kConjugateGradient:
+      return SolveMethod::kConjugateGradient;
+    case PressureMethod::kJacobi:
+      return SolveMethod::kJacobi;
+    case PressureMethod::kPaper:
+      return SolveMethod::kPaper;
+  }
+  return SolveMethod::kConjugateGradient;
+}
+
+Scheme scheme_of(SolverKind kind) {
+  switch (kind) {
+    case SolverKind::kHybrid:
+      return Scheme::kHybrid;
+    case SolverKind::kDfsph:
+      return Scheme::kDfsph;
+    case SolverKind::kPbf:
+      return Scheme::kPbf;
+    case SolverKind::kCorrected:
+      return Scheme::kCorrected;
+  }
+  return Scheme::kHybrid;
+}
+
+Edge edge_of(TankEdge edge) {
+  switch (edge) {
+    case TankEdge::kWall:
+      return Edge::kWall;
+    case TankEdge::kMirror:
+      return Edge::kMirror;
+    case TankEdge::kPeriodic:
+      return Edge::kPeriodic;
+  }
+  return Edge::kWall;
+}
+
+SolveSettings solve_settings(const ConstraintSettings& constraint, const SolverSettings& solver) {
   SolveSettings settings;
-  settings.method = method == PressureMethod::kJacobi ? SolveMethod::kJacobi : SolveMethod::kConjugateGradient;
+  settings.method = solve_method(solver.method);
+  settings.jacobi_damping = solver.relaxation;
+  settings.warm_start = solver.warm_start;
   settings.tolerance = constraint.tolerance;
   settings.min_iterations = constraint.min_iterations;
   settings.max_iterations = constraint.max_iterations;
@@ -35,9 +75,16 @@ FluidParameters fluid_parameters(const Scene& scene, const Eigen::Vector3d& orig
     p.tank.min[axis] = static_cast<float>(scene.tank.min[axis] - origin[axis]);
     p.tank.max[axis] = static_cast<float>(scene.tank.max[axis] - origin[axis]);
   }
-  p.density = solve_settings(scene.solver.density, scene.solver.method);
-  p.divergence = solve_settings(scene.solver.divergence, scene.solver.method);
+  for (std::size_t axis = 0; axis < 3; ++axis) p.edges[axis] = edge_of(scene.tank_edges[axis]);
+  apply_solver(scene.solver, p);
   return p;
+}
+
+void apply_solver(const SolverSettings& solver, FluidParameters& parameters) {
+  parameters.scheme = scheme_of(solver.kind);
+  parameters.filter = solver.filter;
+  parameters.density = solve_settings(solver.density, solver);
+  parameters.divergence = solve_settings(solver.divergence, solver);
 }
 
 double largest_time_step(const Scene& scene) {
@@ -49,12 +96,15 @@ std::vector<Float4> place_blocks(const Scene& scene, const Bodies& bodies, const
   const double d = scene.particle_spacing;
   std::vector<Float4> positions;
   for (const Box& block : scene.water.blocks) {
-    const auto counts = lattice_counts(block, d);
-    for (std::int64_t k = 1; k <= counts[2]; ++k)
-      for (std::int64_t j = 1; j <= counts[1]; ++j)
-        for (std::int64_t i = 1; i <= counts[0]; ++i) {
+    const auto counts = lattice_counts(block, d, scene.tank_edges);
+    const Eigen::Vector3d first = block.min + d * Eigen::Vector3d(lattice_offset(scene.tank_edges[0]),
+                                                                  lattice_offset(scene.tank_edges[1]),
+                                                                  lattice_offset(scene.tank_edges[2]));
+    for (std::int64_t k = 0; k < counts[2]; ++k)
+      for (std::int64_t j = 0; j < counts[1]; ++j)
+        for (std::int64_t i = 0; i < counts[0]; ++i) {
           const Eigen::Vector3d x =
-              block.min + d * Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
+              first + d * Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
           if (!bodies.empty() && bodies.covers(x, kHullClearance * d)) continue;
           const Eigen::Vector3f local = (x - origin).cast<float>();
           positions.push_back({local.x(), local.y(), local.z(), 0.0F});
@@ -65,9 +115,9 @@ std::vector<Float4> place_blocks(const Scene& scene, const Bodies& bodies, const
 
 double rest_level(const Scene& scene) {
   const double d = scene.particle_spacing;
-  const auto floor = lattice_counts(scene.tank, d);
+  const auto floor = lattice_counts(scene.tank, d, scene.tank_edges);
   const double layers = particle_count(scene) / static_cast<double>(floor[0] * floor[1]);
-  return scene.tank.min.z() + (layers + 0.5) * d;
+  return scene.tank.min.z() + (layers - 0.5 + lattice_offset(scene.tank_edges[2])) * d;
 }
 
 }  // namespace pelagos

@@ -99,6 +99,7 @@ void SurfaceExtractor::mark_halo(const SurfaceInput& input, TaskPool& pool) {
       if (std::atomic_ref(mark_[i]).load(std::memory_order_relaxed) != kSurface) continue;
       const Eigen::Vector3f place = vector_of(fluid.position[i]);
       for_each_neighbor(input.fluid_neighbors, i, [&](std::size_t j) {
+        if (j >= fluid.count) return;  // an image beyond a mirrored or periodic face
         if ((vector_of(fluid.position[j]) - place).squaredNorm() > reach * reach) return;
         // Several threads may mark the same neighbour: all write the same value, and only over kInside.
         const std::atomic_ref mark(mark_[j]);

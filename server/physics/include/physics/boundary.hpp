@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/ghosts.hpp"
 #include "physics/grid.hpp"
 #include "physics/particles.hpp"
 
@@ -11,6 +12,11 @@ namespace pelagos {
 
 /// One layer of samples on the six faces of a closed box, about `spacing` apart, corners and edges once.
 [[nodiscard]] std::vector<Float4> sample_box(const Region& box, double spacing);
+
+/// The same with volumes, on the faces across axes with Edge::kWall only. Where such a face meets a mirrored or
+/// periodic one, its samples go on for one support radius, so that the wall looks the same beyond.
+[[nodiscard]] std::vector<Float4> sample_tank(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges,
+                                              double spacing, double support_radius);
 
 /// Volumes of boundary samples, V_b = 1 / sum_b' W_bb' over the samples of the same body (Akinci et al. 2012, eq. 4, in
 /// volume form); written to w.

@@ -13,6 +13,7 @@ namespace pelagos {
 enum class SolveMethod {
   kConjugateGradient,  ///< projected conjugate gradients with a filtered warm start
   kJacobi,             ///< damped Jacobi with clamped accumulated pressure and warm start
+  kPaper,              ///< literal: damped Jacobi, increments clamped at zero, cold start
 };
 
 struct SolveSettings {
@@ -21,14 +22,13 @@ struct SolveSettings {
   int min_iterations = 2;
   int max_iterations = 100;
   double jacobi_damping = 0.5;
+  double warm_start = 1.0;  ///< share of the carried pressure that a warm solve starts from, 0 to 1
 };
 
 /// Both constraints are one problem: minimise 1/2 p'Ap - b'p over p >= 0, with A = J J' symmetric and semidefinite.
 struct ConstraintProblem {
   const PairData* data = nullptr;
-  const GradientCache* cache = nullptr;
-  std::span<const Float4> wall;   ///< wall gradients, from compute_density
-  std::span<const float> alpha;   ///< m^2, 1 / diag(A)
+  const Gradients* gradients = nullptr;
   std::span<const float> source;  ///< b, no unit
   float warm_factor = 0.0F;       ///< (dt / previous dt)^2; 0 starts cold
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/constraint_solve.hpp"
+#include "physics/ghosts.hpp"
 #include "physics/grid.hpp"
 #include "physics/neighbor_search.hpp"
 #include "physics/neighbors.hpp"
@@ -18,7 +19,10 @@ namespace pelagos {
 
 /// Which pressure scheme advances the water. Each is a free function in a file of its own behind advance_fluid.
 enum class Scheme {
-  kHybrid,  ///< the paper's: position-based density constraint, then divergence-free velocity
+  kHybrid,     ///< the paper's: position-based density constraint, then divergence-free velocity
+  kDfsph,      ///< Bender and Koschier 2015: density constraint on velocities at the old positions, then divergence
+  kPbf,        ///< Macklin and Mueller 2013: the position-based density constraint alone
+  kCorrected,  ///< repair of positions, then one velocity solve with corrected gradients and their exact adjoint
 };
 
 struct FluidParameters {
@@ -28,7 +32,9 @@ struct FluidParameters {
   double viscosity = 0.01;       ///< m^2/s
   double gravity = 9.81;         ///< m/s^2, along -z
   Region tank;                   ///< m, local
+  std::array<Edge, 3> edges{Edge::kWall, Edge::kWall, Edge::kWall};  ///< how the faces across x, y, z close the tank
   Scheme scheme = Scheme::kHybrid;
+  double filter = 3.0;  ///< corrected scheme: strength of the velocity filter, no unit
   SolveSettings density;
   SolveSettings divergence;
 
@@ -42,13 +48,17 @@ struct FluidState {
   BoundaryParticles walls;       ///< static samples first (cell order), moving ones after them (cell order)
   std::size_t static_walls = 0;  ///< how many of `walls` never move
   std::vector<Float4> moving_position, moving_velocity;  ///< as placed by whoever moves the bodies; V_b in w
-  double last_dt = 0.0;                                  ///< s; 0 before the first step
+  double last_dt = 0.0;            ///< s; 0 before the first step
+  bool gradients_present = false;  ///< lists and gradients belong to the present positions (dfsph needs them)
 
   NeighborList fluid_list, wall_list;
   CellGrid fluid_grid, static_grid, moving_grid;
-  GradientCache gradients;
-  std::vector<float> alpha, source;
-  std::vector<Float4> wall_gradient;
+  Ghosts ghosts;
+  Gradients gradients;
+  Corrections corrections;              ///< corrected scheme only
+  VelocityGradients velocity_gradients;  ///< corrected scheme only
+  std::vector<Float4> filter_change;    ///< corrected scheme only
+  std::vector<float> source;
   SolveWorkspace work;
   std::vector<std::uint32_t> order;
   std::vector<Float4> sorted_record;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "physics/ghosts.hpp"
 #include "physics/neighbors.hpp"
 #include "physics/particles.hpp"
 #include "physics/task_pool.hpp"
@@ -13,17 +15,39 @@ namespace pelagos {
 
 // The pair loops of a step. Notation (volume form; all fluid particles have the volume V):
 //   delta_i  = sum_j V W_ij + sum_b V_b W_ib                                 paper eq. 4 and 36, divided by rho0
-//   (J v)_i  = sum_j V (v_i - v_j).grad W_ij + sum_b V_b (v_i - v_b).grad W_ib = d delta_i / dt    paper eq. 5, other
-//   sign (J'p)_i  = sum_j V (p_i + p_j) grad W_ij + p_i sum_b V_b grad W_ib         paper eq. 20 and 30; adjoint of J
-//   alpha_i  = 1 / (|sum_j V grad W_ij + sum_b V_b grad W_ib|^2 + sum_j |V grad W_ij|^2) = 1 / diag(J J')
+//   (J v)_i  = sum_j (v_i - v_j).a_ij + sum_b (v_i - v_b).a_ib = d delta_i / dt             paper eq. 5, other sign
+//   (J'p)_i  = p_i S_i - sum_j p_j a_ji,   S_i = sum_j a_ij + sum_b a_ib        paper eq. 20 and 30; adjoint of J
+//   alpha_i  = 1 / (|S_i|^2 + sum_j |a_ij|^2) = 1 / diag(J J')
+// with the plain gradients a_ij = V grad W_ij (then -a_ji = a_ij), or the corrected ones, a_ij = V B_i grad W_ij, where
+// B_i is the inverse of the particle's moment matrix: J is then exact for every linear field of velocities, at the
+// surface and in disorder too (Bonet and Lok 1999), and J' is still its adjoint, so nothing is gained or lost by the
+// pressure.
 // The paper prints alpha with the opposite sign (eq. 19, 37); with the forces of eq. 20 it has to be positive.
 // J does not change while a constraint is solved, so its gradients are computed once and kept in half precision
-// (relative error 5e-4, the same for a pair and its mirror image: momentum is conserved to rounding all the same).
+// (relative error 5e-4; both members of a pair round the same numbers: momentum is conserved to rounding all the same).
 // Every pass writes only the entries of its own particles: the same bits for any number of threads.
+// Arrays that a pass gathers hold the images of mirrored and periodic faces behind the particles (see ghosts.hpp) and
+// must be up to date there.
 
-/// Gradients V grad W_ij * particle spacing (no unit) of every slot of a neighbour list: x, y, z for each lane.
+/// Gradients times the particle spacing (no unit) of every slot of a neighbour list: x, y, z for each lane.
 struct GradientCache {
   std::vector<std::uint32_t> words;  ///< raw storage; half or single precision, as the instruction set has it
+};
+
+/// The discrete J of one state, as both constraints need it.
+struct Gradients {
+  GradientCache own;              ///< a_ij
+  GradientCache other;            ///< -a_ji where that differs from a_ij, else unused
+  bool corrected = false;         ///< whether `other` is used
+  std::vector<Float4> sum;        ///< [padded] x, y, z: S_i, 1/m
+  std::vector<Float4> wall;       ///< [padded] x, y, z: sum_b a_ib (1/m); w: sum_b v_b.a_ib (1/s)
+  std::vector<float> alpha;       ///< [padded] m^2; 0 for a particle without neighbours
+};
+
+/// Symmetric matrices B_i (no unit), as two records that pair loops gather.
+struct Corrections {
+  std::vector<Float4> first;   ///< xx, xy, xz, yy
+  std::vector<Float4> second;  ///< yz, zz, weight of the correction (0: B is the unit matrix, 1: the full inverse), -
 };
 
 /// What all passes read.
@@ -33,24 +57,45 @@ struct PairData {
   const NeighborList* fluid = nullptr;
   const NeighborList* boundary = nullptr;
   const BoundaryParticles* walls = nullptr;
+  const Ghosts* ghosts = nullptr;  ///< null without images
   bool walls_move = false;   ///< false: wall velocities are not even read
   float support_radius = 0;  ///< m
   float volume = 0;          ///< m^3, V
   float spacing = 0;         ///< m, d
 };
 
-/// delta, alpha (m^2) and the wall gradient of every particle; fills the gradient cache.
-/// @param wall  [padded] x, y, z: sum_b V_b grad W_ib (1/m); w: sum_b V_b v_b.grad W_ib (1/s)
-void compute_density(TaskPool& pool, const PairData& data, std::span<float> delta, std::span<float> alpha,
-                     std::span<Float4> wall, GradientCache& cache);
+/// Density and plain gradients of every particle.
+void compute_density(TaskPool& pool, const PairData& data, std::span<float> delta, Gradients& gradients);
+
+/// Density, and the correction matrices of the particles at their present positions:
+///   M_i = -sum_j V x_ij grad W_ij^T - sum_b V_b x_ib grad W_ib^T,   B_i = w M_i^-1 + (1 - w) I,
+///   w = smoothstep((det M_i - 0.05) / 0.15), so that particles with hardly any neighbours stay uncorrected.
+void compute_corrections(TaskPool& pool, const PairData& data, std::span<float> delta, Corrections& corrections);
+
+/// Corrected gradients, from corrections that are up to date for images too.
+void compute_corrected_gradients(TaskPool& pool, const PairData& data, const Corrections& corrections,
+                                 Gradients& gradients);
 
 /// out = -J' p: a displacement in m for p in m^2.
-void apply_pressure(TaskPool& pool, const PairData& data, const GradientCache& cache, std::span<const Float4> wall,
-                    std::span<const float> pressure, std::span<Float4> displacement);
+void apply_pressure(TaskPool& pool, const PairData& data, const Gradients& gradients, std::span<const float> pressure,
+                    std::span<Float4> displacement);
 
 /// out = J v, 1/s for m/s (no unit for displacements). With `moving_walls` the walls' own velocity counts.
-void compute_rate(TaskPool& pool, const PairData& data, const GradientCache& cache, std::span<const Float4> wall,
-                  std::span<const Float4> velocity, bool moving_walls, std::span<float> rate);
+void compute_rate(TaskPool& pool, const PairData& data, const Gradients& gradients, std::span<const Float4> velocity,
+                  bool moving_walls, std::span<float> rate);
+
+/// Velocity gradients G_i = sum_j V (v_j - v_i) (B_i grad W_ij)^T of the corrected gradients, 1/s. Row a of particle i
+/// is in row[a][i], x, y, z; its w holds v_a, so that the filter gathers both at once.
+struct VelocityGradients {
+  std::array<std::vector<Float4>, 3> row;
+};
+void compute_velocity_gradients(TaskPool& pool, const PairData& data, const Gradients& gradients,
+                                std::span<const Float4> velocity, VelocityGradients& out);
+
+/// What the filter takes out of the velocities: sum_j V W_ij [v_j - v_i + (G_i + G_j)/2 (x_i - x_j)], m/s. Zero for
+/// velocities that are linear in space; antisymmetric in each pair, so momentum stays.
+void compute_filter(TaskPool& pool, const PairData& data, const VelocityGradients& gradients,
+                    std::span<Float4> change);
 
 /// Gravity and viscosity: a = g + nu 2 (dim + 2) sum_j V (v_ij . x_ij) / (x_ij^2 + 0.01 R^2) grad W_ij   (paper eq. 6,
 /// 7) Walls are free of friction.

@@ -16,6 +16,7 @@ enum class Stage : std::uint8_t {
   kDensitySolve,     ///< position-based density constraint
   kDensityAfter,     ///< delta, alpha and gradients at the new positions
   kDivergenceSolve,  ///< divergence-free velocity
+  kFilter,           ///< noise of single particles out of the velocities
   kAcceleration,     ///< gravity and viscosity
   kWind,
   kMeasure,  ///< errors, energy, largest speed
@@ -25,7 +26,7 @@ enum class Stage : std::uint8_t {
 inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::kCount);
 inline constexpr std::array<const char*, kStageCount> kStageNames = {
     "bodies",        "predict",          "sort",         "neighbors", "density", "density_solve",
-    "density_after", "divergence_solve", "acceleration", "wind",      "measure", "surface"};
+    "density_after", "divergence_solve", "filter", "acceleration", "wind",      "measure", "surface"};
 
 /// Wall time for each stage. Physics has no clock of its own: the caller gives one (null: nothing is timed).
 using Clock = std::int64_t (*)();  ///< ns from any fixed origin, monotonic

@@ -12,6 +12,9 @@ namespace pelagos {
 /// The scene's numbers as physics wants them, defaults filled in. @param origin  m, world: local zero
 [[nodiscard]] FluidParameters fluid_parameters(const Scene& scene, const Eigen::Vector3d& origin);
 
+/// Sets scheme, methods and tolerances.
+void apply_solver(const SolverSettings& solver, FluidParameters& parameters);
+
 /// Largest time step: the scene's, or 0.07 sqrt(d / g). Without gravity 0.07 sqrt(d / 9.81).
 [[nodiscard]] double largest_time_step(const Scene& scene);
 

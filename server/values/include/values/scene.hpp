@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,20 +15,37 @@ namespace pelagos {
 // A scene that has passed validation: SI units, world frame ENU (x east, y north, z up), right-handed.
 // Whoever receives a Scene may trust every value in it; proto/scene.proto states the ranges.
 
-/// Axis-aligned box, metres. For a tank: closed on all six sides.
+/// Axis-aligned box, metres.
 struct Box {
   Eigen::Vector3d min = Eigen::Vector3d::Zero();
   Eigen::Vector3d max = Eigen::Vector3d::Zero();
   [[nodiscard]] Eigen::Vector3d size() const { return max - min; }
 };
 
-/// Which pressure scheme advances the water. More follow behind the same choice.
-enum class SolverKind { kHybrid };
+/// How the two faces of a tank across one axis close it.
+enum class TankEdge {
+  kWall,      ///< sampled with boundary particles; friction-free, but rough
+  kMirror,    ///< a smooth plane: the water beyond is the mirror image
+  kPeriodic,  ///< what leaves through one face enters through the other
+};
+
+/// For the axes x, y, z.
+using TankEdges = std::array<TankEdge, 3>;
+inline constexpr TankEdges kWalledTank{TankEdge::kWall, TankEdge::kWall, TankEdge::kWall};
+
+/// Which pressure scheme advances the water.
+enum class SolverKind {
+  kHybrid,     ///< the paper's: position-based density constraint, then a divergence-free velocity
+  kDfsph,      ///< Bender and Koschier 2015: both constraints on velocities
+  kPbf,        ///< Macklin and Mueller 2013: positions only
+  kCorrected,  ///< both constraints with corrected gradients and their exact adjoint: waves live
+};
 
 /// How the linear complementarity problem of each constraint is solved.
 enum class PressureMethod {
   kConjugateGradient,  ///< projected conjugate gradients, filtered warm start (default)
   kJacobi,             ///< damped Jacobi, clamped accumulated pressure, warm start
+  kPaper,              ///< literal: damped Jacobi, clamped increments, cold start; for the paper's figures
 };
 
 /// Stop rule and bounds of one constraint. Tolerances are fractions of the rest density.
@@ -38,10 +56,27 @@ struct ConstraintSettings {
 };
 
 struct SolverSettings {
-  SolverKind kind = SolverKind::kHybrid;
+  SolverKind kind = SolverKind::kCorrected;
   PressureMethod method = PressureMethod::kConjugateGradient;
-  ConstraintSettings density;
+  ConstraintSettings density;  ///< corrected: the repair of positions
   ConstraintSettings divergence{3e-4, 1, 100};
+  double relaxation = 0.5;   ///< damping of the Jacobi methods, 0 to 1
+  double warm_start = 1.0;   ///< share of the last pressure that the conjugate gradients start from, 0 to 1
+  double filter = 3.0;       ///< corrected: strength of the velocity filter, no unit
+};
+
+/// Keeps a frame rate by paying with accuracy, within these bounds. Off: the scene's own step and tolerances hold.
+struct GovernorSettings {
+  bool on = false;
+  double frame_budget = 0.0;        ///< s of wall time for a frame's steps; <= 0: 0.8 of the frame interval
+  double largest_tolerance = 1e-2;  ///< no tolerance is raised above this
+  double largest_step = 0.0;        ///< s, no time step is raised above this; <= 0: the scene's own max_step
+};
+
+/// What happens when a value stops being finite.
+enum class FaultPolicy {
+  kStop,     ///< the run ends cleanly, with a report
+  kRestore,  ///< the last good state comes back and is tried again with smaller steps; three times in a row, then stop
 };
 
 /// dt = min(max_step, cfl d / max|v + dt_prev a|), shortened to land on frame times.
@@ -54,7 +89,7 @@ struct TimeStepSettings {
 struct FluidSettings {
   double rest_density = 1000.0;       ///< kg/m^3
   double kinematic_viscosity = -1.0;  ///< m^2/s; negative means 0.01 (d / 0.05 m)^1.5, the least that stays stable
-  std::vector<Box> blocks;            ///< particles at d, 2d, ... from the min corner: size/d - 1 along each axis
+  std::vector<Box> blocks;            ///< full of particles, see lattice_counts
   int settle_steps = 0;               ///< position-only relaxation steps before time zero
 };
 
@@ -101,10 +136,13 @@ struct Scene {
   double particle_spacing = 0.05;  ///< d, metres
   double gravity = 9.81;           ///< m/s^2, along -z; 0 allowed
   Box tank;
+  TankEdges tank_edges = kWalledTank;
   bool tank_walls_visible = false;
   FluidSettings water;
   SolverSettings solver;
   TimeStepSettings time_step;
+  GovernorSettings governor;
+  FaultPolicy on_fault = FaultPolicy::kStop;
   std::optional<WindSettings> wind;
   std::vector<BodySettings> bodies;
   FarSeaSettings far_sea;

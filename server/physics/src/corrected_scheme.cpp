@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cmath>
+
+#include "fluid_stages.hpp"
+
+namespace pelagos {
+
+// Both of the paper's constraints, ordered so that waves live. With plain kernel gradients the discrete divergence of a
+// velocity that has none is not zero near the surface and in disorder: the constraint then blocks the wave and turns
+// it into noise of the particles. Here J is exact for linear velocities (corrected gradients, Bonet and Lok 1999), its
+// adjoint J' is exact as well, and gravity is inside the one velocity solve, whose pressure acts at the positions that
+// the step reaches, so the time integration is symplectic for waves (the hybrid's pressure at x* damps them by
+// pi omega dt a period).
+//   repair   x += u with delta(x + u) <= 1, plain gradients, velocity untouched                     paper, eq. 21 to 30
+//   solve    v += u / dt with dt J v + 0.2 max(delta - 1, 0) <= 0                                   paper, eq. 9 to 20
+//   filter   v_i += dt s sqrt(g/d) sum_j V W_ij [v_j - v_i + (G_i + G_j)/2 (x_i - x_j)]: takes out what no linear
+//            velocity explains, the noise of single particles
+
+namespace {
+
+/// Share of the compression that the velocity solve takes out in a step; without any, the water once collapsed.
+constexpr float kCompressionShare = 0.2F;
+
+void repair_positions(TaskPool& pool, FluidState& state, StepReport& report) {
+  solve_density(pool, state, 0.0F, report);
+  report.capped = apply_correction(pool, state, {true, 0.0});
+  extend_positions(pool, state);
+}
+
+void refresh_gradients(TaskPool& pool, FluidState& state, StepReport& report) {
+  const PairData data = pair_data(state);
+  compute_corrections(pool, data, state.particles.density, state.corrections);
+  compute_corrected_gradients(pool, data, state.corrections, state.gradients);
+  report.pair_passes += 2;
+}
+
+void solve_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& report) {
+  FluidParticles& p = state.particles;
+  const PairData data = pair_data(state);
+  extend_velocities(pool, state);
+  compute_rate(pool, data, state.gradients, p.velocity, data.walls_move, state.source);
+  ++report.pair_passes;
+  const auto step = static_cast<float>(dt);
+  for_each_particle(pool, state, [&](std::size_t i) {
+    state.source[i] = step * state.source[i] + kCompressionShare * std::max(p.density[i] - 1.0F, 0.0F);
+  });
+  const ConstraintProblem problem{&data, &state.gradients, state.source, warm_factor(state, dt)};
+  report.divergence = solve_constraint(pool, problem, state.parameters.divergence, p.divergence_pressure, state.work,
+                                       report.pair_passes);
+  apply_correction(pool, state, {false, dt});
+}
+
+void filter_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& report) {
+  const FluidParameters& q = state.parameters;
+  if (!(q.filter > 0.0)) return;
+  FluidParticles& p = state.particles;
+  const PairData data = pair_data(state);
+  extend_velocities(pool, state);
+  compute_velocity_gradients(pool, data, state.gradients, p.velocity, state.velocity_gradients);
+  state.filter_change.resize(padded_count(p.count));
+  compute_filter(pool, data, state.velocity_gradients, state.filter_change);
+  report.pair_passes += 2;
+  const double rate = q.filter * std::sqrt((q.gravity > 0.0 ? q.gravity : kStandardGravity) / q.spacing);
+  const auto factor = static_cast<float>(std::min(dt * rate, kLargestFilterStep));
+  for_each_particle(pool, state, [&](std::size_t i) {
+    const Float4& change = state.filter_change[i];
+    Float4& v = p.velocity[i];
+    v = {v.x + factor * change.x, v.y + factor * change.y, v.z + factor * change.z, v.w};
+  });
+}
+
+}  // namespace
+
+void advance_corrected(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report) {
+  run_stage(report, clock, Stage::kPredict, [&] {
+    drift(pool, state, dt);
+    accelerate(pool, state, dt);
+    wrap(pool, state);
+  });
+  run_stage(report, clock, Stage::kSort, [&] { sort_particles(pool, state); });
+  run_stage(report, clock, Stage::kNeighbors, [&] { search_neighbors(pool, state, report); });
+  run_stage(report, clock, Stage::kDensity, [&] { refresh_density(pool, state, report); });
+  run_stage(report, clock, Stage::kDensitySolve, [&] { repair_positions(pool, state, report); });
+  run_stage(report, clock, Stage::kDensityAfter, [&] { refresh_gradients(pool, state, report); });
+  run_stage(report, clock, Stage::kDivergenceSolve, [&] { solve_velocity(pool, state, dt, report); });
+  run_stage(report, clock, Stage::kFilter, [&] { filter_velocity(pool, state, dt, report); });
+}
+
+}  // namespace pelagos

@@ -1,0 +1,49 @@
+#include "fluid_stages.hpp"
+
+namespace pelagos {
+
+// Divergence-free SPH (Bender and Koschier 2015, algorithm 1), the paper's reference. Both constraints act on
+// velocities: first the density that the step would reach is brought to rest by velocities, with the gradients of the
+// old positions; the positions follow; then the velocity at the new positions is made free of divergence. The two
+// solves are those of the hybrid scheme (see there for where they differ from the literature).
+
+namespace {
+
+/// Neighbours and gradients at the present positions.
+void refresh_all(TaskPool& pool, FluidState& state, Clock clock, StepReport& report) {
+  run_stage(report, clock, Stage::kSort, [&] { sort_particles(pool, state); });
+  run_stage(report, clock, Stage::kNeighbors, [&] { search_neighbors(pool, state, report); });
+  run_stage(report, clock, Stage::kDensity, [&] { refresh_density(pool, state, report); });
+}
+
+/// b = delta(x) + dt J v* - 1 at the old positions.
+void solve_predicted_density(TaskPool& pool, FluidState& state, double dt, StepReport& report) {
+  FluidParticles& p = state.particles;
+  const PairData data = pair_data(state);
+  extend_velocities(pool, state);
+  compute_rate(pool, data, state.gradients, p.velocity, data.walls_move, state.source);
+  ++report.pair_passes;
+  const auto step = static_cast<float>(dt);
+  for_each_particle(pool, state, [&](std::size_t i) { state.source[i] = step * state.source[i] + p.density[i] - 1.0F; });
+  const ConstraintProblem problem{&data, &state.gradients, state.source, warm_factor(state, dt)};
+  report.density = solve_constraint(pool, problem, state.parameters.density, p.density_pressure, state.work,
+                                    report.pair_passes);
+  report.capped = apply_correction(pool, state, {false, dt});
+}
+
+}  // namespace
+
+void advance_dfsph(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report) {
+  if (!state.gradients_present) refresh_all(pool, state, clock, report);
+  run_stage(report, clock, Stage::kPredict, [&] { accelerate(pool, state, dt); });
+  run_stage(report, clock, Stage::kDensitySolve, [&] { solve_predicted_density(pool, state, dt, report); });
+  run_stage(report, clock, Stage::kPredict, [&] {
+    drift(pool, state, dt);
+    wrap(pool, state);
+  });
+  refresh_all(pool, state, clock, report);
+  run_stage(report, clock, Stage::kDivergenceSolve, [&] { solve_divergence(pool, state, dt, report); });
+  state.gradients_present = true;
+}
+
+}  // namespace pelagos

@@ -1,0 +1,149 @@
+#include "physics/ghosts.hpp"
+
+#include <cassert>
+
+#include "fluid_stages.hpp"
+
+namespace pelagos {
+
+namespace {
+
+float coordinate(const Float4& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+float& coordinate(Float4& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+/// One axis of one image: x' = sign x + offset.
+struct AxisImage {
+  float sign = 1.0F, offset = 0.0F;
+};
+struct AxisImages {
+  std::array<AxisImage, 3> image{};  ///< the first is the particle itself
+  std::size_t count = 1;
+};
+
+AxisImages images_across(const Region& tank, Edge edge, std::size_t axis, float reach, float x) {
+  AxisImages images;
+  if (edge == Edge::kWall) return images;
+  const float low = tank.min[axis], high = tank.max[axis];
+  const auto add = [&](AxisImage image) { images.image[images.count++] = image; };
+  if (x < low + reach) add(edge == Edge::kMirror ? AxisImage{-1.0F, 2.0F * low} : AxisImage{1.0F, high - low});
+  if (x > high - reach) add(edge == Edge::kMirror ? AxisImage{-1.0F, 2.0F * high} : AxisImage{1.0F, low - high});
+  return images;
+}
+
+struct Image {
+  std::uint32_t source;
+  Float4 sign, offset;
+};
+
+void add_images(const Region& tank, const std::array<Edge, 3>& edges, float reach, std::size_t i, const Float4& p,
+                std::vector<Image>& out) {
+  std::array<AxisImages, 3> axes;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    axes[axis] = images_across(tank, edges[axis], axis, reach, coordinate(p, axis));
+  for (std::size_t a = 0; a < axes[0].count; ++a)
+    for (std::size_t b = 0; b < axes[1].count; ++b)
+      for (std::size_t c = 0; c < axes[2].count; ++c) {
+        if (a + b + c == 0) continue;
+        const AxisImage &x = axes[0].image[a], &y = axes[1].image[b], &z = axes[2].image[c];
+        out.push_back(
+            {static_cast<std::uint32_t>(i), {x.sign, y.sign, z.sign, 1.0F}, {x.offset, y.offset, z.offset, 0.0F}});
+      }
+}
+
+Float4 place(const Float4& sign, const Float4& offset, const Float4& p) {
+  return {sign.x * p.x + offset.x, sign.y * p.y + offset.y, sign.z * p.z + offset.z, p.w};
+}
+
+/// Images in the order of their particles, whatever the number of threads.
+std::vector<Image> collect_images(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, float reach,
+                                  std::size_t count, std::span<const Float4> position) {
+  std::vector<std::vector<Image>> blocks((count + kPointBlock - 1) / kPointBlock);
+  pool.for_each_range(count, kPointBlock, [&](std::size_t begin, std::size_t end) {
+    std::vector<Image>& out = blocks[begin / kPointBlock];
+    for (std::size_t i = begin; i < end; ++i) add_images(tank, edges, reach, i, position[i], out);
+  });
+  std::vector<Image> all;
+  std::size_t total = 0;
+  for (const auto& block : blocks) total += block.size();
+  all.reserve(total);
+  for (const auto& block : blocks) all.insert(all.end(), block.begin(), block.end());
+  return all;
+}
+
+template <class F>
+void for_each_ghost(TaskPool& pool, const Ghosts& ghosts, F&& f) {
+  pool.for_each_range(ghosts.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) f(k);
+  });
+}
+
+}  // namespace
+
+bool has_ghosts(const std::array<Edge, 3>& edges) {
+  return edges[0] != Edge::kWall || edges[1] != Edge::kWall || edges[2] != Edge::kWall;
+}
+
+void wrap_particles(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, std::size_t count,
+                    std::span<Float4> position, std::span<Float4> velocity) {
+  pool.for_each_range(count, kPointBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (edges[axis] == Edge::kWall) continue;
+      const float low = tank.min[axis], high = tank.max[axis], period = high - low;
+      for (std::size_t i = begin; i < end; ++i) {
+        float& x = coordinate(position[i], axis);
+        if (x >= low && x < high) continue;
+        if (edges[axis] == Edge::kPeriodic) {
+          x += x < low ? period : -period;
+        } else if (x != high) {
+          x = 2.0F * (x < low ? low : high) - x;
+          coordinate(velocity[i], axis) *= -1.0F;
+        }
+      }
+    }
+  });
+}
+
+void make_ghosts(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, float reach, std::size_t count,
+                 std::vector<Float4>& position, Ghosts& ghosts) {
+  const std::vector<Image> images = collect_images(pool, tank, edges, reach, count, position);
+  ghosts.count = images.size();
+  ghosts.begin = padded_count(count);
+  std::vector<Float4> unsorted(images.size());
+  for (std::size_t k = 0; k < images.size(); ++k)
+    unsorted[k] = place(images[k].sign, images[k].offset, position[images[k].source]);
+  std::vector<std::uint32_t> order;
+  ghosts.grid.sort(pool, unsorted, order);
+  ghosts.source.resize(ghosts.count);
+  ghosts.sign.resize(ghosts.count);
+  ghosts.offset.resize(ghosts.count);
+  for (std::size_t k = 0; k < ghosts.count; ++k) {
+    const Image& image = images[order[k]];
+    ghosts.source[k] = image.source;
+    ghosts.sign[k] = image.sign;
+    ghosts.offset[k] = image.offset;
+  }
+  if (position.size() < extended_count(count, ghosts)) position.resize(extended_count(count, ghosts), kFarRecord);
+  extend_positions(pool, ghosts, position);
+}
+
+std::size_t extended_count(std::size_t count, const Ghosts& ghosts) {
+  return ghosts.empty() ? padded_count(count) : ghosts.begin + padded_count(ghosts.count);
+}
+
+void extend_scalars(TaskPool& pool, const Ghosts& ghosts, std::span<float> values) {
+  for_each_ghost(pool, ghosts, [&](std::size_t k) { values[ghosts.begin + k] = values[ghosts.source[k]]; });
+}
+
+void extend_positions(TaskPool& pool, const Ghosts& ghosts, std::span<Float4> positions) {
+  for_each_ghost(pool, ghosts, [&](std::size_t k) {
+    positions[ghosts.begin + k] = place(ghosts.sign[k], ghosts.offset[k], positions[ghosts.source[k]]);
+  });
+}
+
+void extend_vectors(TaskPool& pool, const Ghosts& ghosts, std::span<Float4> vectors) {
+  for_each_ghost(pool, ghosts, [&](std::size_t k) {
+    vectors[ghosts.begin + k] = place(ghosts.sign[k], Float4{}, vectors[ghosts.source[k]]);
+  });
+}
+
+}  // namespace pelagos

@@ -1,0 +1,23 @@
+#include <algorithm>
+
+#include "fluid_stages.hpp"
+
+namespace pelagos {
+
+void settle_fluid(TaskPool& pool, FluidState& state, int steps) {
+  StepReport report;
+  for (int step = 0; step < steps; ++step) {
+    wrap(pool, state);
+    sort_particles(pool, state);
+    search_neighbors(pool, state, report);
+    refresh_density(pool, state, report);
+    solve_density(pool, state, 0.0F, report);
+    apply_correction(pool, state, {true, 0.0});
+  }
+  if (steps == 0) return;
+  std::fill(state.particles.density_pressure.begin(), state.particles.density_pressure.end(), 0.0F);
+  extend_positions(pool, state);
+  start_acceleration(pool, state, report);  // the sort does not carry the accelerations along
+}
+
+}  // namespace pelagos

@@ -1,0 +1,116 @@
+#include "water_run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "simulation/fluid_setup.hpp"
+#include "solver_names.hpp"
+
+namespace pelagos::validation {
+
+namespace {
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+FluidParameters with_solver(FluidParameters parameters, const SolverChoice& choice) {
+  SolverSettings solver;
+  if (!choose_solver(choice.name, solver)) throw std::invalid_argument("no solver of the name " + choice.name);
+  solver.density.tolerance = solver.divergence.tolerance = choice.tolerance;
+  apply_solver(solver, parameters);
+  return parameters;
+}
+
+}  // namespace
+
+WaterRun::WaterRun(int threads, FluidParameters parameters, const SolverChoice& solver, const Start& start)
+    : pool_(std::make_unique<TaskPool>(threads)),
+      state_(make_fluid(*pool_, with_solver(std::move(parameters), solver), start.positions)) {
+  std::copy(start.velocities.begin(), start.velocities.end(), state_.particles.velocity.begin());
+  sums_.particles = start.positions.size();
+  limit_steps(0.07, 0.4);
+}
+
+void WaterRun::limit_steps(double factor, double cfl) {
+  const double gravity = state_.parameters.gravity > 0.0 ? state_.parameters.gravity : 9.81;
+  max_step_ = factor * std::sqrt(state_.parameters.spacing / gravity);
+  cfl_ = cfl;
+}
+
+void WaterRun::advance_to(double time, const std::function<void()>& each) {
+  while (time_ < time - 1e-12) {
+    const double admissible =
+        std::max(admissible_time_step(state_.parameters, cfl_, max_step_, speed_), 0.02 * max_step_);
+    const double left = time - time_;
+    step(left / std::max(1.0, std::ceil(left / admissible - 1e-9)));
+    if (each) each();
+  }
+}
+
+void WaterRun::step(double dt) {
+  const double begin = now_s();
+  last_ = {};
+  advance_fluid(*pool_, state_, dt, nullptr, last_);
+  start_acceleration(*pool_, state_, last_);
+  measure_fluid(*pool_, state_, dt, last_);
+  sums_.wall_s += now_s() - begin;
+  time_ += dt;
+  speed_ = last_.largest_speed;
+  if (last_.not_finite > 0) throw std::runtime_error("values are not finite at t = " + std::to_string(time_) + " s");
+  ++sums_.steps;
+  sums_.simulated_s += dt;
+  sums_.density_iterations += last_.density.iterations;
+  sums_.velocity_iterations += last_.divergence.iterations;
+  sums_.density_error += last_.density_error;
+  sums_.density_error_peak = std::max(sums_.density_error_peak, last_.density_error);
+  sums_.largest_density = std::max(sums_.largest_density, last_.largest_density);
+  sums_.unconverged_steps += last_.density.converged && last_.divergence.converged ? 0 : 1;
+}
+
+RunCost WaterRun::cost() const {
+  RunCost cost = sums_;
+  const auto steps = static_cast<double>(std::max<std::int64_t>(cost.steps, 1));
+  cost.density_iterations /= steps;
+  cost.velocity_iterations /= steps;
+  cost.density_error /= steps;
+  return cost;
+}
+
+StepReport WaterRun::measure() {
+  StepReport report;
+  measure_fluid(*pool_, state_, 0.0, report);
+  return report;
+}
+
+FluidParameters tank_parameters(const std::array<double, 3>& size, double spacing, const std::array<Edge, 3>& edges) {
+  FluidParameters p;
+  p.spacing = spacing;
+  p.support_radius = 2.0 * spacing;
+  p.viscosity = 0.01 * std::pow(spacing / 0.05, 1.5);
+  p.edges = edges;
+  for (std::size_t a = 0; a < 3; ++a) p.tank.max[a] = static_cast<float>(size[a]);
+  return p;
+}
+
+Start fill_block(const FluidParameters& parameters, const std::array<double, 3>& size) {
+  const double d = parameters.spacing;
+  std::array<double, 3> first{};
+  std::array<int, 3> n{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const bool wall = parameters.edges[a] == Edge::kWall;
+    first[a] = static_cast<double>(parameters.tank.min[a]) + (wall ? 1.0 : 0.5) * d;
+    n[a] = static_cast<int>(std::floor(size[a] / d + 1e-6)) - (wall ? 1 : 0);
+  }
+  Start start;
+  for (int k = 0; k < n[2]; ++k)
+    for (int j = 0; j < n[1]; ++j)
+      for (int i = 0; i < n[0]; ++i)
+        start.positions.push_back({static_cast<float>(first[0] + d * i), static_cast<float>(first[1] + d * j),
+                                   static_cast<float>(first[2] + d * k), 0.0F});
+  return start;
+}
+
+}  // namespace pelagos::validation

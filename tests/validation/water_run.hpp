@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "physics/fluid.hpp"
+
+namespace pelagos::validation {
+
+/// A solver by the name that the server and the bench know it by, with its tolerances.
+struct SolverChoice {
+  std::string name = "corrected";
+  double tolerance = 3e-4;  ///< of both constraints, fraction of the rest density
+};
+
+/// Particles on a lattice with velocities: the start of a case.
+struct Start {
+  std::vector<Float4> positions, velocities;  ///< m, m/s; velocities may be empty: at rest
+};
+
+/// What a run cost and how well it held the water together.
+struct RunCost {
+  std::size_t particles = 0;
+  std::int64_t steps = 0;
+  double simulated_s = 0, wall_s = 0;
+  double density_iterations = 0, velocity_iterations = 0;  ///< means by step
+  double density_error = 0, density_error_peak = 0;        ///< mean of max(delta - 1, 0): its mean over steps, its peak
+  double largest_density = 0;
+  std::int64_t unconverged_steps = 0;
+  [[nodiscard]] double wall_per_simulated() const { return wall_s / simulated_s; }
+};
+
+/// Water advanced as the server does it: adaptive steps, landing on the times that are asked for.
+class WaterRun {
+ public:
+  WaterRun(int threads, FluidParameters parameters, const SolverChoice& solver, const Start& start);
+
+  /// Position-only relaxation before time zero.
+  void settle(int steps) { settle_fluid(*pool_, state_, steps); }
+  /// Advances to `time`, calling `each` after every step (may be empty).
+  void advance_to(double time, const std::function<void()>& each = {});
+  /// Longest step in units of sqrt(d/g) (default 0.07) and CFL number (default 0.4).
+  void limit_steps(double factor, double cfl);
+
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] const FluidState& state() const { return state_; }
+  [[nodiscard]] FluidState& state() { return state_; }
+  [[nodiscard]] TaskPool& pool() { return *pool_; }
+  [[nodiscard]] const StepReport& last() const { return last_; }
+  [[nodiscard]] RunCost cost() const;
+  [[nodiscard]] StepReport measure();
+
+ private:
+  void step(double dt);
+
+  std::unique_ptr<TaskPool> pool_;
+  FluidState state_;
+  StepReport last_;
+  RunCost sums_;
+  double time_ = 0, max_step_ = 0, cfl_ = 0.4, speed_ = 0;
+};
+
+/// Parameters of water in a tank from the origin to `size` (m), standard gravity, viscosity as a scene's default.
+[[nodiscard]] FluidParameters tank_parameters(const std::array<double, 3>& size, double spacing,
+                                              const std::array<Edge, 3>& edges);
+
+/// Lattice points at d/2, 3d/2, ... (mirrored and periodic axes) or d, 2d, ... (walls) that fill `size` from the
+/// tank's lower corner.
+[[nodiscard]] Start fill_block(const FluidParameters& parameters, const std::array<double, 3>& size);
+
+}  // namespace pelagos::validation
