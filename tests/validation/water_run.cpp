@@ -21,6 +21,7 @@ FluidParameters with_solver(FluidParameters parameters, const SolverChoice& choi
   if (!choose_solver(choice.name, solver)) throw std::invalid_argument("no solver of the name " + choice.name);
   solver.density.tolerance = solver.divergence.tolerance = choice.tolerance;
   apply_solver(solver, parameters);
+  if (parameters.viscosity < 0.0) parameters.viscosity = default_viscosity(solver.kind, parameters.spacing);
   return parameters;
 }
 
@@ -89,7 +90,7 @@ FluidParameters tank_parameters(const std::array<double, 3>& size, double spacin
   FluidParameters p;
   p.spacing = spacing;
   p.support_radius = 2.0 * spacing;
-  p.viscosity = 0.01 * std::pow(spacing / 0.05, 1.5);
+  p.viscosity = -1.0;  // the solver's default
   p.edges = edges;
   for (std::size_t a = 0; a < 3; ++a) p.tank.max[a] = static_cast<float>(size[a]);
   return p;

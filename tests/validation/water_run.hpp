@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -63,7 +64,8 @@ class WaterRun {
   double time_ = 0, max_step_ = 0, cfl_ = 0.4, speed_ = 0;
 };
 
-/// Parameters of water in a tank from the origin to `size` (m), standard gravity, viscosity as a scene's default.
+/// Parameters of water in a tank from the origin to `size` (m), standard gravity; viscosity negative: the
+/// solver's default, filled in by WaterRun.
 [[nodiscard]] FluidParameters tank_parameters(const std::array<double, 3>& size, double spacing,
                                               const std::array<Edge, 3>& edges);
 

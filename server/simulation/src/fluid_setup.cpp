@@ -68,8 +68,8 @@ FluidParameters fluid_parameters(const Scene& scene, const Eigen::Vector3d& orig
   p.spacing = scene.particle_spacing;
   p.support_radius = kSupportSpacings * p.spacing;
   p.rest_density = scene.water.rest_density;
-  p.viscosity =
-      scene.water.kinematic_viscosity >= 0.0 ? scene.water.kinematic_viscosity : 0.01 * std::pow(p.spacing / 0.05, 1.5);
+  p.viscosity = scene.water.kinematic_viscosity >= 0.0 ? scene.water.kinematic_viscosity
+                                                       : default_viscosity(scene.solver.kind, p.spacing);
   p.gravity = scene.gravity;
   for (int axis = 0; axis < 3; ++axis) {
     p.tank.min[axis] = static_cast<float>(scene.tank.min[axis] - origin[axis]);
