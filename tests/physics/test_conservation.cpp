@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <memory>
 #include <string>
 
 #include "water_scene.hpp"
@@ -14,7 +16,8 @@ struct Case {
   Scheme scheme;
   SolveMethod method;
   double viscosity;      ///< m^2/s
-  double angular_drift;  ///< of the starting angular momentum over the run; twice what was measured
+  double angular_drift;  ///< allowed share of the starting angular momentum over the run: twice what was measured,
+                         ///< 3.2e-3, 1e-6 (rounding, five times allowed), 3.8e-3, 1.9e-2, 3.3e-3 and 4.2e-3
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
@@ -23,12 +26,12 @@ constexpr double kSpacing = 0.05;
 
 class Conservation : public testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(Schemes, Conservation,
-                         testing::Values(Case{"Hybrid", Scheme::kHybrid, kGradients, 0.01, 1.0},
-                                         Case{"Dfsph", Scheme::kDfsph, kGradients, 0.01, 1.0},
-                                         Case{"Pbf", Scheme::kPbf, kGradients, 0.01, 1.0},
-                                         Case{"Corrected", Scheme::kCorrected, kGradients, 0.0, 1.0},
-                                         Case{"HybridPaper", Scheme::kHybrid, kPaper, 0.01, 1.0},
-                                         Case{"PbfPaper", Scheme::kPbf, kPaper, 0.01, 1.0}),
+                         testing::Values(Case{"Hybrid", Scheme::kHybrid, kGradients, 0.01, 6.5e-3},
+                                         Case{"Dfsph", Scheme::kDfsph, kGradients, 0.01, 5e-6},
+                                         Case{"Pbf", Scheme::kPbf, kGradients, 0.01, 7.5e-3},
+                                         Case{"Corrected", Scheme::kCorrected, kGradients, 0.0, 3.8e-2},
+                                         Case{"HybridPaper", Scheme::kHybrid, kPaper, 0.01, 6.6e-3},
+                                         Case{"PbfPaper", Scheme::kPbf, kPaper, 0.01, 8.5e-3}),
                          [](const testing::TestParamInfo<Case>& c) { return c.param.name; });
 
 FluidParameters parameters_of(const Case& c, const Double3& size) {
@@ -64,7 +67,7 @@ void expect_all_there(const WaterScene& water, std::size_t count) {
 }
 
 /// A ball of water about the origin of its tank that spins about z at 3 rad/s and pulsates out of disorder.
-WaterScene spinning_ball(const Case& c) {
+std::unique_ptr<WaterScene> spinning_ball(const Case& c) {
   FluidParameters parameters = parameters_of(c, {4, 4, 4});
   for (std::size_t a = 0; a < 3; ++a) {
     parameters.tank.min[a] = -2.0F;
@@ -74,16 +77,17 @@ WaterScene spinning_ball(const Case& c) {
   std::vector<Float4> points = lattice({11, 11, 11}, kSpacing, {-0.25, -0.25, -0.25});
   std::erase_if(points, [](const Float4& p) { return p.x * p.x + p.y * p.y + p.z * p.z > 0.28F * 0.28F; });
   jitter(points, 0.1 * kSpacing, 61);
-  WaterScene water(2, parameters, points);
+  auto water = std::make_unique<WaterScene>(2, parameters, points);
   const std::vector<Float4> noise = random_vectors(points.size(), 0.1, 62);
   for (std::size_t i = 0; i < points.size(); ++i)
-    water.state.particles.velocity[i] = {-3.0F * points[i].y + noise[i].x, 3.0F * points[i].x + noise[i].y,
-                                         0.25F + noise[i].z, 0};
+    water->state.particles.velocity[i] = {-3.0F * points[i].y + noise[i].x, 3.0F * points[i].x + noise[i].y,
+                                          0.25F + noise[i].z, 0};
   return water;
 }
 
 TEST_P(Conservation, FreeFlightKeepsMassAndMomentum) {
-  WaterScene water = spinning_ball(GetParam());
+  const std::unique_ptr<WaterScene> made = spinning_ball(GetParam());
+  WaterScene& water = *made;
   const std::size_t count = water.state.particles.count;
   const Motion before = motion(water.state.particles);
   const int steps = 200;
@@ -110,7 +114,8 @@ TEST_P(Conservation, FreeFlightKeepsMassAndMomentum) {
 
 TEST_P(Conservation, ADamBreakKeepsItsParticlesInside) {
   const std::array<int, 3> n{8, 7, 9};
-  WaterScene water(2, parameters_of(GetParam(), {1.35, 0.4, 1.0}), lattice(n, kSpacing, {kSpacing, kSpacing, kSpacing}));
+  WaterScene water(2, parameters_of(GetParam(), {1.35, 0.4, 1.0}),
+                   lattice(n, kSpacing, {kSpacing, kSpacing, kSpacing}));
   const std::size_t count = water.state.particles.count;
   settle_fluid(water.pool, water.state, 20);
   for (int k = 0; k < 150; ++k) {
@@ -140,9 +145,13 @@ TEST_P(Conservation, APeriodicBoxKeepsMassAndMomentum) {
   }
   expect_all_there(water, points.size());
   const Motion after = motion(water.state.particles);
-  // Images stand where rounding puts them: the two sides of a pair across a face differ by 1e-6 of their push.
-  const double rounding = 4.0 * 6.0 * 6e-8 * std::sqrt(3.0 * steps * static_cast<double>(points.size()));
-  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(after.linear[c], before.linear[c], rounding) << c;
+  // In water that fills its box the pressure is much larger than what it moves, so it rounds more; images stand where
+  // rounding puts them, and gradients there may round to other half-precision neighbours. Measured: at most 7e-6 of the
+  // momentum (the literal hybrid with its many sweeps); twice that is allowed.
+  const double size = std::sqrt(dot(before.linear, before.linear));
+  const Double3 drift = minus(after.linear, before.linear);
+  RecordProperty("momentum_drift", std::to_string(std::sqrt(dot(drift, drift)) / size));
+  EXPECT_LT(std::sqrt(dot(drift, drift)), 1.4e-5 * size);
 }
 
 }  // namespace

@@ -41,8 +41,8 @@ std::vector<double> repeats(Edge edge, double low, double high, double x) {
 double distance_to_tank(const Double3& p) {
   double squared = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double off = std::max({static_cast<double>(kTank.min[axis]) - p[axis],
-                                 p[axis] - static_cast<double>(kTank.max[axis]), 0.0});
+    const double off =
+        std::max({static_cast<double>(kTank.min[axis]) - p[axis], p[axis] - static_cast<double>(kTank.max[axis]), 0.0});
     squared += off * off;
   }
   return std::sqrt(squared);
@@ -113,7 +113,8 @@ TEST_P(GhostImages, EveryImageWithinReachIsThereOnce) {
       if (distance_to_tank(want) < kReach * (1.0 - 1e-5)) {
         ++wanted_images;
         // A particle on a mirror is its own image: several of its repeats are in one place.
-        ASSERT_GE(found, 1) << "particle " << i << " lacks the image at " << want[0] << ' ' << want[1] << ' ' << want[2];
+        ASSERT_GE(found, 1) << "particle " << i << " lacks the image at " << want[0] << ' ' << want[1] << ' '
+                            << want[2];
       }
     }
     for (const int t : times) ASSERT_GE(t, 1) << "particle " << i << " has an image that it should not have";
@@ -189,8 +190,8 @@ TEST(Ghosts, OfNoParticlesAndOfNoneNearAFace) {
 TEST(Ghosts, PositionsThatAreNotFiniteDoNoHarm) {
   TaskPool pool(2);
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
-  std::vector<Float4> position = {{nan, 0.11F, 0.01F, 0}, {-0.19F, infinity, 0.01F, 0}, {nan, nan, nan, 0},
-                                  {-infinity, 0.2F, nan, 0}, {1e30F, -1e30F, 0, 0}, {-0.19F, 0.2F, 0.1F, 0}};
+  std::vector<Float4> position = {{nan, 0.11F, 0.01F, 0},    {-0.19F, infinity, 0.01F, 0}, {nan, nan, nan, 0},
+                                  {-infinity, 0.2F, nan, 0}, {1e30F, -1e30F, 0, 0},        {-0.19F, 0.2F, 0.1F, 0}};
   const std::size_t count = position.size();
   position.resize(padded_count(count));
   std::vector<Float4> velocity(position.size());
