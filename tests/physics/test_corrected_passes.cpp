@@ -162,7 +162,8 @@ TEST_P(CorrectedPasses, CorrectionsInvertTheMomentMatrix) {
         ASSERT_NEAR(product, row == column ? 1.0 : 0.0, 2e-5) << i;
       }
   }
-  EXPECT_GT(full, scene->count * 8 / 10);
+  // At sampled walls the correction ends: some two layers of a small tank.
+  EXPECT_GT(full, GetParam().sampled ? scene->count / 12 : scene->count * 8 / 10);
 }
 
 TEST_P(CorrectedPasses, ImagesCarryTheReflectedCorrection) {
@@ -221,7 +222,7 @@ TEST(CorrectedGradients, RateIsTheDivergenceOfLinearVelocitiesAtTheSurfaceToo) {
       ++exact;
       thin += scene->delta[i] < 0.8F ? 1 : 0;
     }
-    EXPECT_GT(exact, scene->count * 8 / 10);
+    EXPECT_GT(exact, walls ? scene->count / 12 : scene->count * 8 / 10);
     if (!walls) {
       EXPECT_GT(thin, 30U) << "too few particles of the surface were looked at";
     }
@@ -409,6 +410,28 @@ TEST(Corrections, OfAloneInPairsInLinesAndInPlanesAreTheUnitMatrix) {
         for (std::size_t column = 0; column < 3; ++column) EXPECT_EQ(b[row][column], row == column ? 1.0 : 0.0);
     }
   }
+}
+
+TEST(Corrections, EndAtSampledWalls) {
+  TaskPool pool(2);
+  const auto scene = filled(pool, {"", kAllWalls, true}, 49);
+  std::size_t none = 0;
+  for (std::size_t i = 0; i < scene->count; ++i) {
+    double walls = 0.0;
+    for_each_neighbor(scene->wall_list, i, [&](std::size_t b) {
+      const Double3 x = minus(as_double(scene->position[i]), as_double(scene->wall.position[b]));
+      walls +=
+          static_cast<double>(scene->wall.position[b].w) * ReferenceSpline{scene->radius}.value(std::sqrt(dot(x, x)));
+    });
+    // Single precision sums of size one.
+    if (walls > 0.1 + 1e-5) {
+      ASSERT_EQ(scene->weight(i), 0.0) << i;
+      ++none;
+    } else {
+      ASSERT_LE(scene->weight(i), 1.0 - 10.0 * walls + 1e-4) << i;
+    }
+  }
+  EXPECT_GT(none, 50U);
 }
 
 TEST(Corrections, StayBoundedWhateverTheNeighbourhood) {

@@ -159,8 +159,12 @@ void density_groups(const PairData& data, std::size_t first_group, std::size_t l
     });
 }
 
-/// The inverse of M blended into the unit matrix where M is nearly singular. Weight as in compute_corrections.
-HWY_INLINE void store_correction(const Symmetric& m, Float4* first, Float4* second) {
+/// The correction ends where walls make up this share of the density.
+constexpr float kWallShare = 0.1F;
+
+/// The inverse of M blended into the unit matrix where M is nearly singular and at walls. Weight as in
+/// compute_corrections.
+HWY_INLINE void store_correction(const Symmetric& m, FloatV walls, Float4* first, Float4* second) {
   const FloatTag d;
   const FloatV one = hn::Set(d, 1.0F), zero = hn::Zero(d);
   const auto minor = [](FloatV a, FloatV b, FloatV c, FloatV e) HWY_ATTR {
@@ -171,7 +175,8 @@ HWY_INLINE void store_correction(const Symmetric& m, Float4* first, Float4* seco
                cyz = minor(m.xy, m.xz, m.xx, m.yz), czz = minor(m.xx, m.yy, m.xy, m.xy);
   const FloatV det = hn::MulAdd(m.xx, cxx, hn::MulAdd(m.xy, cxy, hn::Mul(m.xz, cxz)));
   const FloatV t = hn::Min(one, hn::Max(zero, hn::Mul(hn::Sub(det, hn::Set(d, 0.05F)), hn::Set(d, 1.0F / 0.15F))));
-  const FloatV w = hn::Mul(hn::Mul(t, t), hn::NegMulAdd(hn::Set(d, 2.0F), t, hn::Set(d, 3.0F)));
+  const FloatV away = hn::Max(zero, hn::NegMulAdd(walls, hn::Set(d, 1.0F / kWallShare), one));
+  const FloatV w = hn::Mul(away, hn::Mul(hn::Mul(t, t), hn::NegMulAdd(hn::Set(d, 2.0F), t, hn::Set(d, 3.0F))));
   const FloatV rest = hn::Sub(one, w);
   const FloatV factor = hn::Div(w, hn::Max(det, hn::Set(d, 0.04F)));
   store_records({hn::MulAdd(cxx, factor, rest), hn::Mul(cxy, factor), hn::Mul(cxz, factor),
@@ -209,19 +214,19 @@ void correction_groups(const PairData& data, std::size_t first_group, std::size_
         weight = hn::Add(weight, kernel.value);
         add_moments(pair, hn::Mul(kernel.gradient_factor, gradient_scale), m);
       }
-      FloatV density = hn::Mul(weight, scales.value);
+      FloatV wall_density = zero;
       const NeighborList::SlotRange walls = data.boundary->groups[group];
       for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
         const std::int32_t* index = data.boundary->slots.data() + s * kLanes + lane;
         const Vec4 other = gather_records(data.walls->position.data(), index);
         const PairGeometry pair = difference(own, other);
         const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
-        density = hn::MulAdd(hn::Mul(kernel.value, scales.wall_value), other.w, density);
+        wall_density = hn::MulAdd(hn::Mul(kernel.value, scales.wall_value), other.w, wall_density);
         const PairGeometry seen = along_normal(pair, gather_records(data.walls->normal.data(), index));
         add_moments(seen, hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w), m);
       }
-      hn::StoreU(density, d, delta + i);
-      store_correction(m, first + i, second + i);
+      hn::StoreU(hn::MulAdd(weight, scales.value, wall_density), d, delta + i);
+      store_correction(m, wall_density, first + i, second + i);
     });
 }
 

@@ -69,7 +69,10 @@ void compute_density(TaskPool& pool, const PairData& data, std::span<float> delt
 
 /// Density, and the correction matrices of the particles at their present positions:
 ///   M_i = -sum_j V x_ij grad W_ij^T - sum_b V_b x_ib grad W_ib^T,   B_i = w M_i^-1 + (1 - w) I,
-///   w = smoothstep((det M_i - 0.05) / 0.15), so that particles with hardly any neighbours stay uncorrected.
+///   w = smoothstep((det M_i - 0.05) / 0.15) max(0, 1 - 10 sum_b V_b W_ib), so that particles with hardly any neighbours
+/// stay uncorrected, and those at sampled walls too: the corrected J is the change of no density, so a flow that it lets
+/// pass may compress the water. The repair lifted what ran down along walls for ever: still water 15 layers deep between
+/// sampled walls gained 24 % of its energy and leaked; with this it gains 0.3 % at the start and comes to rest.
 void compute_corrections(TaskPool& pool, const PairData& data, std::span<float> delta, Corrections& corrections);
 
 /// Corrected gradients, from corrections that are up to date for images too.
