@@ -53,8 +53,7 @@ void HardWater::note(const StepReport& report) {
   sums_.largest_speed = std::max(sums_.largest_speed, report.largest_speed);
   speed_ = report.largest_speed;
   const double energy = report.kinetic_energy + report.potential_energy;
-  if (start_energy_ > 0.0)
-    sums_.energy_rise = std::max(sums_.energy_rise, (energy - lowest_energy_) / start_energy_);
+  if (start_energy_ > 0.0) sums_.energy_rise = std::max(sums_.energy_rise, (energy - lowest_energy_) / start_energy_);
   lowest_energy_ = std::min(lowest_energy_, energy);
   const double mass = state_.parameters.rest_density * state_.parameters.volume() *
                       static_cast<double>(std::max<std::size_t>(state_.particles.count, 1));

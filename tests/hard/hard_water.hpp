@@ -24,9 +24,9 @@ struct Outcome {
   double energy_rise = 0;         ///< largest rise over the lowest energy before, fraction of the energy at the start
   double density_iterations = 0;  ///< means by step
   double velocity_iterations = 0;
-  double largest_speed = 0;  ///< m/s
-  double rms_speed = 0;      ///< m/s, of the last step
-  double late_rms_speed = 0; ///< m/s, largest in the second half of the run so far
+  double largest_speed = 0;   ///< m/s
+  double rms_speed = 0;       ///< m/s, of the last step
+  double late_rms_speed = 0;  ///< m/s, largest in the second half of the run so far
   [[nodiscard]] bool sound() const { return not_finite == 0 && outside == 0; }
 };
 
@@ -69,7 +69,8 @@ class HardWater {
                                         double tolerance = 3e-4);
 
 /// n[0] x n[1] x n[2] points at first, first + spacing, ...
-[[nodiscard]] std::vector<Float4> block(const std::array<int, 3>& n, double spacing, const std::array<double, 3>& first);
+[[nodiscard]] std::vector<Float4> block(const std::array<int, 3>& n, double spacing,
+                                        const std::array<double, 3>& first);
 
 /// A dam break of about 2,000 particles: 16 x 8 x 16 in a tank three times as long, spacing 0.05 m.
 [[nodiscard]] HardWater small_dam(const std::string& solver, double tolerance = 3e-4);

@@ -59,7 +59,8 @@ WallOutcome rotate_bucket(const std::string& solver, double speed, int turns_per
     for (std::size_t i = 0; i < p.count; ++i) {
       const double x = static_cast<double>(p.position[i].x) - center, y = static_cast<double>(p.position[i].y) - center;
       const double bx = std::cos(angle) * x + std::sin(angle) * y, by = -std::sin(angle) * x + std::cos(angle) * y;
-      const bool beside = std::max(std::abs(bx), std::abs(by)) > half, below = static_cast<double>(p.position[i].z) < floor;
+      const bool beside = std::max(std::abs(bx), std::abs(by)) > half,
+                 below = static_cast<double>(p.position[i].z) < floor;
       leaked += beside || below ? 1 : 0;
     }
     out.leaked = std::max(out.leaked, leaked);
@@ -101,7 +102,8 @@ WallOutcome push_piston(const std::string& solver, double reach) {
     if (water.step(dt).not_finite > 0) break;
     std::size_t leaked = 0;
     const FluidParticles& particles = water.state().particles;
-    for (std::size_t i = 0; i < particles.count; ++i) leaked += static_cast<double>(particles.position[i].x) < x ? 1 : 0;
+    for (std::size_t i = 0; i < particles.count; ++i)
+      leaked += static_cast<double>(particles.position[i].x) < x ? 1 : 0;
     out.leaked = std::max(out.leaked, leaked);
   }
   out.water = water.outcome();

@@ -7,8 +7,8 @@ namespace pelagos::hard {
 /// What moving walls did to water.
 struct WallOutcome {
   Outcome water;
-  std::size_t leaked = 0;     ///< particles on the wrong side, most at any step
-  double angular_speed = 0;   ///< rad/s of the water about the axis, at the end (rotating tank)
+  std::size_t leaked = 0;    ///< particles on the wrong side, most at any step
+  double angular_speed = 0;  ///< rad/s of the water about the axis, at the end (rotating tank)
 };
 
 /// A square bucket, open above, that turns about z at `speed` rad/s with water in it.

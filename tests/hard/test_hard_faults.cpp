@@ -37,9 +37,9 @@ const Fault kFaults[] = {
 class HardFault : public testing::TestWithParam<std::tuple<std::string, int, int>> {};
 INSTANTIATE_TEST_SUITE_P(All, HardFault,
                          testing::Combine(testing::ValuesIn(kSolvers), testing::Range(0, 4), testing::Range(0, 8)),
-                         [](const auto& info) {
-                           return std::get<0>(info.param) + kTanks[std::get<1>(info.param)].name +
-                                  kFaults[std::get<2>(info.param)].name;
+                         [](const auto& test) {
+                           return std::get<0>(test.param) + kTanks[std::get<1>(test.param)].name +
+                                  kFaults[std::get<2>(test.param)].name;
                          });
 
 TEST_P(HardFault, IsReportedInThatStepAndTheRunEndsCleanly) {
@@ -57,9 +57,11 @@ TEST_P(HardFault, IsReportedInThatStepAndTheRunEndsCleanly) {
   const StepReport report = water.step(0.004);
   // A pressure that a solver does not carry from step to step is not read, and 1e30 m/s stays finite here and there.
   const std::string name = kFaults[fault].name;
-  const bool may_pass = (name == "NanPressure" && solver != "nothing") || name == "HugeVelocity";
-  if (!may_pass) EXPECT_GT(report.not_finite, 0U);
-  if (name == "HugeVelocity") EXPECT_GT(report.not_finite + report.outside, 0U);
+  if (name == "HugeVelocity") {
+    EXPECT_GT(report.not_finite + report.outside, 0U);
+  } else if (name != "NanPressure") {
+    EXPECT_GT(report.not_finite, 0U);
+  }
   for (int n = 0; n < 5; ++n) static_cast<void>(water.step(0.004));
   EXPECT_EQ(water.state().particles.count, 294U);
 }
@@ -77,8 +79,7 @@ TEST(HardSolve, AToleranceThatCannotBeReachedIsReported) {
       ASSERT_LE(report.density.iterations, 3);
       ASSERT_LE(report.divergence.iterations, 3);
       ASSERT_EQ(report.not_finite, 0U);
-      for (const SolveReport& s : {report.density, report.divergence})
-        if (!s.converged) EXPECT_GE(s.residual, 1e-7);
+      for (const SolveReport& s : {report.density, report.divergence}) ASSERT_TRUE(s.converged || s.residual >= 1e-7);
       unconverged += report.density.converged && report.divergence.converged ? 0 : 1;
     }
     EXPECT_EQ(unconverged, 30);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "moving_walls.hpp"
 
 namespace pelagos::hard {
@@ -21,11 +23,11 @@ TEST_P(HardWalls, ABucketThatTurnsKeepsItsWaterAndSpinsItUp) {
 }
 
 TEST_P(HardWalls, APistonAtFourFifthsOfASpacingAStep) {
-  for (const double reach : {0.1, 0.4, 0.8}) {
+  for (const double reach : {0.1, 0.2, 0.4, 0.8}) {
     SCOPED_TRACE(reach);
     const WallOutcome out = push_piston(GetParam(), reach);
-    std::printf("%s piston %.1f: leaked %zu, largest density %.3f, speed %.1f\n", GetParam().c_str(), reach, out.leaked,
-                out.water.largest_density, out.water.largest_speed);
+    std::printf("%s piston %.1f: leaked %zu, outside %u, largest density %.3f, speed %.1f\n", GetParam().c_str(), reach,
+                out.leaked, out.water.outside, out.water.largest_density, out.water.largest_speed);
     EXPECT_TRUE(out.water.sound());
     EXPECT_EQ(out.leaked, 0U);
   }
