@@ -44,12 +44,16 @@ class HardWater {
   /// The energy that rises are measured against, from now on.
   void start_watch();
 
-  /// m/s, scale of the velocities: sqrt(d/g) as a time
+  /// s, sqrt(d/g); with standard gravity where there is none
   [[nodiscard]] double step_unit() const;
   [[nodiscard]] Outcome outcome() const;
+  /// The sums so far, not yet divided by the steps.
+  [[nodiscard]] const Outcome& outcome_so_far() const { return sums_; }
   [[nodiscard]] FluidState& state() { return state_; }
   [[nodiscard]] TaskPool& pool() { return pool_; }
   [[nodiscard]] double mean_height() const;
+  /// m/s, the largest of the last step
+  [[nodiscard]] double speed() const { return speed_; }
   /// Every identity once: nobody lost, nobody doubled.
   [[nodiscard]] bool all_there() const;
 

@@ -77,11 +77,11 @@ WallOutcome rotate_bucket(const std::string& solver, double speed, int turns_per
   return out;
 }
 
-WallOutcome push_piston(const std::string& solver, double reach) {
+WallOutcome push_piston(const std::string& solver, double reach, PistonSteps steps) {
   FluidParameters p = tank_with(solver, {2.0, 0.4, 3.0}, kSpacing);
   p.edges[1] = Edge::kPeriodic;
   HardWater water(p, block({37, 8, 6}, kSpacing, {2 * kSpacing, 0.5 * kSpacing, kSpacing}));
-  const double dt = 0.07 * water.step_unit(), speed = reach * kSpacing / dt;
+  const double longest = 0.07 * water.step_unit(), speed = reach * kSpacing / longest;
   // The wall goes on beyond the periodic faces for one support radius, as the floor does.
   std::vector<Float4> wall = block({1, 17, 61}, kSpacing, {0, -4 * kSpacing, 0});
   assign_boundary_volumes(water.pool(), p.support_radius, wall);
@@ -97,6 +97,9 @@ WallOutcome push_piston(const std::string& solver, double reach) {
   water.settle(60);
   WallOutcome out;
   while (x < 0.8) {  // over half a metre and more: a third of the water's length
+    double dt = longest;
+    if (steps == PistonSteps::kAdaptive)
+      dt = std::max(0.1 * longest, admissible_time_step(p, 0.4, longest, std::max(speed, water.speed())));
     x += speed * dt;
     place(x, speed);
     if (water.step(dt).not_finite > 0) break;

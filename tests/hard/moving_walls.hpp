@@ -14,7 +14,13 @@ struct WallOutcome {
 /// A square bucket, open above, that turns about z at `speed` rad/s with water in it.
 [[nodiscard]] WallOutcome rotate_bucket(const std::string& solver, double speed, int turns_percent);
 
-/// A wall across a channel that pushes into the water: `reach` = U dt / d with dt = 0.07 sqrt(d/g).
-[[nodiscard]] WallOutcome push_piston(const std::string& solver, double reach);
+/// How the piston's steps are chosen.
+enum class PistonSteps {
+  kFixed,     ///< always dt = 0.07 sqrt(d/g)
+  kAdaptive,  ///< at most that, and no wall or water moves more than 0.4 d in a step
+};
+
+/// A wall across a channel that pushes into the water at U = reach d / (0.07 sqrt(d/g)).
+[[nodiscard]] WallOutcome push_piston(const std::string& solver, double reach, PistonSteps steps);
 
 }  // namespace pelagos::hard

@@ -75,7 +75,6 @@ TEST_P(HardStart, AChannelOneParticleWideAndAHundredLong) {
   water.settle(60);
   water.run(1.0, 0.07, 0.4);
   expect_sound(water);
-  std::printf("%s speed %.2f\n", GetParam().c_str(), water.outcome().largest_speed);
   EXPECT_LT(water.outcome().largest_speed, 5.0);  // a front runs at 2 sqrt(g h) = 3.4 m/s at most
 }
 
