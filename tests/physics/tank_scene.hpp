@@ -24,10 +24,9 @@ inline Region widened(Region region, double reach) {
 /// pair passes make of them. The order is the sorted one.
 class TankScene {
  public:
-  /// @param walls    V_b in w
-  /// @param normals  whether samples on faces have their normals
+  /// @param walls  V_b in w
   TankScene(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, std::span<const Float4> points,
-            std::span<const Float4> walls, double spacing, bool normals = false)
+            std::span<const Float4> walls, double spacing)
       : count(points.size()), d(spacing), radius(2.0 * spacing) {
     grid = wall_grid = ghosts.grid = CellGrid(widened(tank, radius), radius);
     std::vector<std::uint32_t> order;
@@ -35,9 +34,6 @@ class TankScene {
     wall.position = sorted(pool, wall_grid, walls, order);
     wall.count = walls.size();
     wall.velocity.assign(padded_count(wall.count), {});
-    wall.normal.assign(padded_count(wall.count), {});
-    for (std::size_t b = 0; normals && b < wall.count; ++b)
-      wall.normal[b] = tank_normal(tank, edges, spacing, wall.position[b]);
     if (has_ghosts(edges)) make_ghosts(pool, tank, edges, static_cast<float>(radius), count, position, ghosts);
     const SearchSource fluid[2] = {
         {&grid, position.data(), 0},
