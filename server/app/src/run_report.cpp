@@ -43,7 +43,9 @@ Json error(const ServerSummary& s) {
           {"density_error_peak", s.run.density_error_peak},
           {"largest_density_peak", s.run.largest_density_peak},
           {"density_iterations_mean", s.run.mean(s.run.density_iterations)},
-          {"divergence_iterations_mean", s.run.mean(s.run.divergence_iterations)}};
+          {"divergence_iterations_mean", s.run.mean(s.run.divergence_iterations)},
+          {"unconverged_steps", s.run.unconverged_steps},
+          {"recoveries", s.status.recoveries}};
 }
 
 Json transport(const ServerSummary& s) {

@@ -180,6 +180,7 @@ void Server::advance() {
   WorldStep step = world_->advance();
   if (step.frame_reached) publish_frame(step.report);
   window_.add(step.report, static_cast<double>(monotonic_ns() - begin) * 1e-9);
+  convergence_.add(step.report, world_->effort());
   last_report_ = step.report;
   if (step.report.not_finite == 0) return;
   broken_ = true;
@@ -237,17 +238,22 @@ void Server::refresh_status() {
     status_.poses_refused = poses.refused_in_all();
     status_.wind = world_->wind();
     status_.bodies = world_->bodies().states();
+    status_.effort = world_->effort();
     if (paused_) status_.real_time_factor = 0.0;
     status = status_;
   }
   if (now < next_log_ns_) return;
   next_log_ns_ = now + kLogIntervalNs;
+  log_status(status);
+}
+
+void Server::log_status(const ServerStatus& status) {
   const std::string line = fmt::format(
-      "t {:.1f} s: real-time factor {:.2f} (could reach {:.1f}), step {:.1f} ms, density error {:.3f} %, {} of {} "
-      "particles sent, {} frames, {} dropped, {} readers{}",
+      "t {:.1f} s: real-time factor {:.2f} (could reach {:.1f}), step {:.1f} ms, density error {:.3f} %, {} steps not "
+      "converged, {} of {} particles sent, {} frames, {} dropped, {} readers{}",
       status.simulation_time, status.real_time_factor, status.achievable_real_time_factor, status.step_ms,
-      status.density_error * 100.0, status.published_particles, status.particles, status.frames_published,
-      status.frames_dropped, publisher_->viewers(), paused_ ? ", paused" : "");
+      status.density_error * 100.0, status.unconverged_steps, status.published_particles, status.particles,
+      status.frames_published, status.frames_dropped, publisher_->viewers(), paused_ ? ", paused" : "");
   // Below real time through lack of speed, not because of a pause or a start.
   const bool too_slow = options_.paced && !paused_ && status.achievable_real_time_factor > 0.0 &&
                         status.achievable_real_time_factor < 1.0;
@@ -256,6 +262,8 @@ void Server::refresh_status() {
   } else {
     log_info(line);
   }
+  const std::string missed = convergence_.take();
+  if (!missed.empty()) log_warning(missed);
 }
 
 void Server::watch_poses(const std::vector<BodyState>& states) {

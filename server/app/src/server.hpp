@@ -9,6 +9,7 @@
 
 #include "command_queue.hpp"
 #include "control/control_server.hpp"
+#include "convergence_watch.hpp"
 #include "simulation/world.hpp"
 #include "status_window.hpp"
 #include "transport/frame_publisher.hpp"
@@ -67,6 +68,7 @@ class Server {
   void publish_frame(StepReport& report);
   void wait_paused();
   void refresh_status();
+  void log_status(const ServerStatus& status);
   void watch_poses(const std::vector<BodyState>& states);
   void watch_places(const std::vector<BodyState>& states);
   void announce(const std::string& kind, const std::string& source, const std::string& text);
@@ -81,6 +83,7 @@ class Server {
   std::unique_ptr<FramePublisher> publisher_;
   std::unique_ptr<PoseReceiver> poses_;
   StatusWindow window_;
+  ConvergenceWatch convergence_;
 
   mutable std::mutex status_mutex_;
   ServerStatus status_;  ///< shared with the control link

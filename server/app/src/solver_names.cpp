@@ -37,6 +37,8 @@ const std::vector<std::string>& solver_names() {
 bool choose_solver(std::string_view name, SolverSettings& solver) {
   for (const Choice& choice : kChoices) {
     if (name != choice.name) continue;
+    if (solver.divergence.min_iterations == default_divergence_iterations(solver.kind))
+      solver.divergence.min_iterations = default_divergence_iterations(choice.kind);
     solver.kind = choice.kind;
     solver.method = choice.method;
     return true;

@@ -127,6 +127,16 @@ std::optional<WindSettings> World::wind() const {
   return wind_->settings_at(clock_.time());
 }
 
+void World::set_effort(const Effort& effort) {
+  max_step_ = effort.max_step;
+  fluid_.parameters.density.tolerance = effort.density_tolerance;
+  fluid_.parameters.divergence.tolerance = effort.divergence_tolerance;
+}
+
+Effort World::effort() const {
+  return {max_step_, fluid_.parameters.density.tolerance, fluid_.parameters.divergence.tolerance};
+}
+
 void World::fill_snapshot(Snapshot& snapshot, StepReport& report) {
   const StageScope scope(report.times, options_.clock, Stage::kSurface);
   snapshot.frame = clock_.frame();

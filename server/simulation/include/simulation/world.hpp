@@ -12,6 +12,7 @@
 #include "simulation/frame_clock.hpp"
 #include "surface/surface_extractor.hpp"
 #include "values/command.hpp"
+#include "values/effort.hpp"
 #include "values/scene.hpp"
 #include "values/scene_info.hpp"
 #include "values/snapshot.hpp"
@@ -47,6 +48,10 @@ class World {
   void set_wind(const WindSettings& wind, double ramp_seconds);
   void clear_wind() { wind_.reset(); }
   [[nodiscard]] std::optional<WindSettings> wind() const;
+
+  /// What the coming steps may cost. The scene's own until it is set; warm starts and states are kept.
+  void set_effort(const Effort& effort);
+  [[nodiscard]] Effort effort() const;
 
   /// Fills time, frame, origin, bodies and the particles that travel. Its cost is a stage of the last step.
   void fill_snapshot(Snapshot& snapshot, StepReport& report);

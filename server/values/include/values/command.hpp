@@ -33,7 +33,7 @@ struct Event {
   std::uint64_t sequence = 0;    ///< 1, 2, ... without gaps
   std::uint64_t step = 0;        ///< time step before which it took effect
   double simulation_time = 0.0;  ///< s
-  std::string kind;    ///< "wind", "pause", "resume", "step", "pose_stale", "pose_fresh", "numerical_fault", ...
+  std::string kind;    ///< "wind", "pause", "resume", "step", "pose_stale", "pose_fresh", "governor", "numerical_fault"
   std::string source;  ///< who caused it, e.g. "station 127.0.0.1:40112", "scene", "server"
   std::string text;    ///< one line for people
 };
