@@ -43,7 +43,10 @@ std::string report_with(const std::string& wanted, double value) {
   visit_numbers(message, "scene", [&](Message& owner, const FieldDescriptor& field, const std::string& path) {
     if (path == wanted) owner.GetReflection()->SetDouble(&owner, &field, value);
   });
-  if (wanted == "scene.wind.from_deg") message.mutable_wind()->clear_velocity();  // which has a direction already
+  if (wanted == "scene.wind.from_deg") {  // a velocity has a direction already
+    message.mutable_wind()->clear_velocity();
+    message.mutable_wind()->set_speed(1.0);
+  }
   return read_scene_message(message.SerializeAsString(), "station").report();
 }
 

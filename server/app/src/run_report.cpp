@@ -48,6 +48,16 @@ Json error(const ServerSummary& s) {
           {"recoveries", s.status.recoveries}};
 }
 
+Json effort(const ServerSummary& s) {
+  return {{"governed", s.status.governed},
+          {"frame_budget_s", s.frame_budget},
+          {"changes", s.effort_changes},
+          {"over_budget", s.status.over_budget},
+          {"max_step_s", s.status.effort.max_step},
+          {"density_tolerance", s.status.effort.density_tolerance},
+          {"divergence_tolerance", s.status.effort.divergence_tolerance}};
+}
+
 Json transport(const ServerSummary& s) {
   const PublisherCounters& p = s.publisher;
   return {{"frames_published", p.published},
@@ -80,6 +90,7 @@ std::string write_run_report(const std::string& file, const ServerSummary& s) {
   json["peak_memory_bytes"] = peak_memory();
   json["speed"] = speed(s);
   json["error"] = error(s);
+  json["effort"] = effort(s);
   json["transport"] = transport(s);
   json["control"] = {{"requests", s.control.requests},
                      {"malformed", s.control.malformed},

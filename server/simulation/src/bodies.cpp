@@ -130,4 +130,19 @@ void Bodies::relocate_water(const Body& body, const BodyState& before, const Eig
   }
 }
 
+std::vector<Bodies::Motion> Bodies::motions() const {
+  std::vector<Motion> motions;
+  motions.reserve(bodies_.size());
+  for (const Body& body : bodies_) motions.push_back({body.state, body.driven});
+  return motions;
+}
+
+void Bodies::restore(const std::vector<Motion>& motions, const Eigen::Vector3d& origin, FluidState& fluid) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    bodies_[i].state = motions[i].state;
+    bodies_[i].driven = motions[i].driven;
+  }
+  if (!bodies_.empty()) place(origin, fluid);
+}
+
 }  // namespace pelagos

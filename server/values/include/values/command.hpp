@@ -5,12 +5,13 @@
 #include <string>
 #include <variant>
 
+#include "values/effort.hpp"
 #include "values/wind.hpp"
 
 namespace pelagos {
 
-// What an instructor may ask of a running simulation. Commands are applied at step boundaries, in the order of
-// arrival, and logged with the step at which they took effect.
+// What an instructor, or the server's own governor, may ask of a running simulation. Commands are applied at step
+// boundaries, in the order of arrival, and logged with the step at which they took effect.
 
 /// Replace the wind; from the present wind linearly over `ramp_seconds` (0: at once).
 struct SetWind {
@@ -26,7 +27,13 @@ struct StepSimulation {
   std::uint32_t steps = 1;
 };
 
-using Command = std::variant<SetWind, ClearWind, PauseSimulation, ResumeSimulation, StepSimulation>;
+/// From now on steps may be so long and are solved so exactly. The governor's; stations have no such request.
+struct SetEffort {
+  Effort effort;
+  std::string reason;  ///< for the event
+};
+
+using Command = std::variant<SetWind, ClearWind, PauseSimulation, ResumeSimulation, StepSimulation, SetEffort>;
 
 /// What happened, for every station and for `event_v1`.
 struct Event {
