@@ -113,6 +113,7 @@ TEST(SceneSolver, TakesTheDefaultsOfItsKind) {
   ASSERT_TRUE(corrected) << corrected.report();
   EXPECT_EQ(corrected.scene->solver.kind, SolverKind::kCorrected);
   EXPECT_EQ(corrected.scene->solver.divergence.min_iterations, 2);
+  EXPECT_EQ(corrected.scene->solver.density.min_iterations, 0);
   EXPECT_EQ(corrected.scene->solver.relaxation, 0.5);
   EXPECT_EQ(corrected.scene->solver.warm_start, 1.0);
   EXPECT_EQ(corrected.scene->solver.filter, 3.0);
@@ -127,7 +128,15 @@ TEST(SceneSolver, TakesTheDefaultsOfItsKind) {
     EXPECT_EQ(other.scene->solver.kind, kind);
     EXPECT_EQ(other.scene->solver.method, PressureMethod::kPaper);
     EXPECT_EQ(other.scene->solver.divergence.min_iterations, 1) << name;
+    EXPECT_EQ(other.scene->solver.density.min_iterations, 2) << name;
   }
+}
+
+TEST(SceneSolver, OnlyTheRepairOfCorrectedMayBeLeftOut) {
+  const std::string none = "density { min_iterations: 0 } }\n";
+  EXPECT_TRUE(read_with("solver { " + none));
+  EXPECT_THAT(read_with("solver { kind: HYBRID " + none).faults, ElementsAre(HasSubstr("min_iterations: 0 is out")));
+  EXPECT_FALSE(read_with("solver { divergence { min_iterations: 0 } }\n"));
 }
 
 TEST(SceneSolver, ReadsEveryFieldIntoItsPlace) {

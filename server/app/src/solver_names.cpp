@@ -37,9 +37,7 @@ const std::vector<std::string>& solver_names() {
 bool choose_solver(std::string_view name, SolverSettings& solver) {
   for (const Choice& choice : kChoices) {
     if (name != choice.name) continue;
-    if (solver.divergence.min_iterations == default_divergence_iterations(solver.kind))
-      solver.divergence.min_iterations = default_divergence_iterations(choice.kind);
-    solver.kind = choice.kind;
+    if (solver.kind != choice.kind) solver = default_solver(choice.kind);
     solver.method = choice.method;
     return true;
   }

@@ -35,14 +35,15 @@ PressureMethod read_method(const FieldReader& solver) {
   }
 }
 
-void read_constraint(const FieldReader& solver, const char* name, ConstraintSettings& settings) {
+/// @param least  iterations that the scheme can do with
+void read_constraint(const FieldReader& solver, const char* name, int least, ConstraintSettings& settings) {
   if (!solver.has(name)) return;
   const FieldReader reader = solver.child(name);
   reader.read("tolerance",
               {1e-6, kLargestTolerance, "", "a fraction of the rest density; single precision resolves no less"},
               settings.tolerance);
-  const bool min_sound =
-      reader.read("min_iterations", {1, 1000}, settings.min_iterations) || !reader.has("min_iterations");
+  const bool min_sound = reader.read("min_iterations", {static_cast<double>(least), 1000}, settings.min_iterations) ||
+                         !reader.has("min_iterations");
   const bool max_sound =
       reader.read("max_iterations", {1, 1000}, settings.max_iterations) || !reader.has("max_iterations");
   if (min_sound && max_sound && settings.min_iterations > settings.max_iterations) {
@@ -58,20 +59,18 @@ double longest_step(const Basis& basis) { return basis.default_step ? 2.0 * *bas
 }  // namespace
 
 SolverSettings validate_solver(const FieldReader& scene_reader) {
-  SolverSettings solver;
-  if (!scene_reader.has("solver")) return solver;
+  if (!scene_reader.has("solver")) return {};
   const FieldReader entry = scene_reader.child("solver");
-  solver.kind = read_kind(entry);
+  SolverSettings solver = default_solver(read_kind(entry));
   solver.method = read_method(entry);
-  solver.divergence.min_iterations = default_divergence_iterations(solver.kind);
   const bool corrected = solver.kind == SolverKind::kCorrected;
   if (corrected && solver.method == PressureMethod::kPaper) {
     entry.fault("method",
                 "PAPER goes with the paper's own schemes, not with CORRECTED; allowed there: CONJUGATE_GRADIENT, "
                 "JACOBI (or kind: HYBRID, DFSPH or PBF)");
   }
-  read_constraint(entry, "density", solver.density);
-  read_constraint(entry, "divergence", solver.divergence);
+  read_constraint(entry, "density", corrected ? 0 : 1, solver.density);  // corrected: repairs only what is compressed
+  read_constraint(entry, "divergence", 1, solver.divergence);
   entry.read("relaxation", {0.01, 1.0, "", "0.5 is safe, 1 is known to fail"}, solver.relaxation);
   entry.read("warm_start", {0.0, 1.0, "", "0 starts cold"}, solver.warm_start);
   entry.read("filter", {0.0, 20.0}, solver.filter);
