@@ -12,10 +12,11 @@ namespace pelagos {
 /// Keeps the wall time of a frame within a budget by paying with accuracy, no more than needed.
 ///
 /// The efforts it may choose are a ladder: the scene's own at the bottom, then longer steps (each 2^(1/4) longer) up to
-/// the longest allowed, then tolerances (each twice) up to the largest allowed. Steps come first because they buy more:
-/// a dam break of 0.1 m particles with the corrected solver, against the scene's own step and a tolerance of 3e-4, ran
-/// in 0.73 of the time at 1.7 times the density error with steps twice as long (the CFL number as well), in 0.84 of the
-/// time at 2.4 times the error with a tolerance of 1e-3; from 3e-3 on two iterations are left and nothing more is won.
+/// the longest allowed, then tolerances (each twice) up to the largest allowed. Steps come first because they buy more
+/// for the density error that they cost: still water of 0.05 m particles, corrected solver, tolerance 3e-4, makes 315
+/// steps of 6.7 iterations in 1.5 s at a mean error of 0.021 %. With steps twice as long it is 180 steps of 12.0
+/// iterations, in 0.72 of the time, at 0.023 %; with a tolerance of 1e-3 it is 315 steps of 3.6 iterations, in 0.88 of
+/// the time, at 0.068 %.
 ///
 /// It climbs a rung when the smoothed time is over the budget, and comes down a rung when it has been under 0.75 of the
 /// budget for a while; a rung seldom costs so much that this alone would send it up again, and where it has to climb
