@@ -67,7 +67,8 @@ struct SolverSettings {
 };
 
 /// The settings of a solver where a scene says nothing else. The corrected scheme repairs positions only when it must,
-/// and always takes two iterations for the velocity: with one, waves lose 2 % a period in the long run instead of 0.2 %.
+/// and always takes two iterations for the velocity: with one, waves lose 2 % a period in the long run instead of 0.2
+/// %.
 [[nodiscard]] inline SolverSettings default_solver(SolverKind kind) {
   SolverSettings solver;
   solver.kind = kind;
