@@ -149,6 +149,26 @@ TEST_F(Server, PaysWithAccuracyWithinBoundsAndSaysSo) {
   EXPECT_EQ(effort.at("max_step_s"), 0.008);
 }
 
+TEST_F(Server, TellsOfAToleranceThatIsOutOfReach) {
+  const TemporaryFolder folder;
+  const std::string scene_file = (folder.path() / "strict.scene").string();
+  std::ofstream(scene_file) << read_text(scene("still_water"))
+                            << "solver { divergence { tolerance: 1e-6 max_iterations: 3 } }\n";
+  start({}, scene_file);
+  nlohmann::json status;
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  do {  // the status is renewed once a second
+    ASSERT_EQ(ask({"status", "--json"}), 0);
+    status = nlohmann::json::parse(answer_);
+  } while (status.at("unconverged_steps") == 0 && std::chrono::steady_clock::now() < end);
+  EXPECT_GT(status.at("unconverged_steps"), 0);
+  const std::string warning = "the divergence constraint missed its tolerance in";
+  while (server_->errors().find(warning) == std::string::npos && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(milliseconds(50));  // told with the line of every 5 s
+  EXPECT_THAT(server_->errors(), AllOf(HasSubstr(warning), HasSubstr("against 1e-06 after 3 iterations"),
+                                       HasSubstr("raise solver.divergence.max_iterations")));
+}
+
 TEST_F(Server, IsExactWithoutAGovernor) {
   start();
   nlohmann::json status;

@@ -28,10 +28,10 @@ TEST_P(WorldSupport, StillWaterStaysInItsBasin) {
     ASSERT_EQ(report.long_rows, 0U) << "rows must fit the fast search";
     peak = std::max(peak, report.density_error);
   }
-  EXPECT_LT(peak, 0.01);  // far above the tolerance of 3e-4, far below the 9 % that a fresh lattice reads at 1.5
+  EXPECT_LT(peak, 0.01);  // far above the tolerance of 3e-4, far below the 19 % that a fresh lattice reads at 1.4
 }
 
-INSTANTIATE_TEST_SUITE_P(Spacings, WorldSupport, testing::Values(1.5, 2.0, 2.5));
+INSTANTIATE_TEST_SUITE_P(Spacings, WorldSupport, testing::Values(1.4, 1.5, 2.0, 2.5));
 
 TEST(WorldEffort, IsTheScenesUntilItIsSet) {
   Scene scene = basin();
@@ -44,6 +44,34 @@ TEST(WorldEffort, IsTheScenesUntilItIsSet) {
   world.set_effort(cheaper);
   EXPECT_EQ(world.effort(), cheaper);
   EXPECT_GT(world.advance().report.dt, 0.004) << "still water: nothing else shortens the step";
+}
+
+TEST(WorldEffort, SameBitsForOneTwoAndSevenThreadsAndOnReplay) {
+  // What a governor decided at which step, played again.
+  World one(basin(), {1, nullptr, {}}), two(basin(), {2, nullptr, {}}), seven(basin(), {7, nullptr, {}});
+  const Effort exact = one.effort();
+  for (int step = 0; step < 40; ++step) {
+    for (World* world : {&one, &two, &seven}) {
+      if (step == 10) world->set_effort({1.3 * exact.max_step, exact.density_tolerance, exact.divergence_tolerance});
+      if (step == 20) world->set_effort({1.3 * exact.max_step, 2e-3, 2e-3});
+      if (step == 30) world->set_effort(exact);
+      world->advance();
+    }
+    ASSERT_EQ(state_hash(one.fluid().particles), state_hash(two.fluid().particles)) << step;
+    ASSERT_EQ(state_hash(one.fluid().particles), state_hash(seven.fluid().particles)) << step;
+  }
+}
+
+TEST(WorldEffort, AToleranceOutOfReachIsReportedInEveryStep) {
+  Scene scene = basin();
+  scene.solver.divergence = {1e-6, 2, 3};
+  World world(scene, {1, nullptr, {}});
+  for (int step = 0; step < 10; ++step) {
+    const SolveReport solve = world.advance().report.divergence;
+    EXPECT_FALSE(solve.converged);
+    EXPECT_EQ(solve.iterations, 3);
+    EXPECT_GT(solve.residual, 1e-6);
+  }
 }
 
 TEST(WorldEdges, RefusesABodyNearAPeriodicFace) {

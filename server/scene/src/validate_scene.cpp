@@ -64,10 +64,8 @@ Basis read_basis(const FieldReader& reader, const SceneSource& source, Scene& sc
   if (basis.spacing && basis.gravity && *basis.gravity > 0.0) {
     basis.default_step = 0.07 * std::sqrt(*basis.spacing / *basis.gravity);
   }
-  reader.read(
-      "support_radius",
-      {1.2, 2.5, "spacings", "below it nearest neighbours hardly touch, above it rows of neighbours get too long"},
-      scene.support_radius);
+  reader.read("support_radius", {1.4, 2.5, "spacings", "below, water explodes; above, rows of neighbours get too long"},
+              scene.support_radius);
   basis.support_radius = scene.support_radius;
   return basis;
 }

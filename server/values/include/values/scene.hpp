@@ -153,7 +153,7 @@ struct Scene {
   std::string name;
   std::uint64_t seed = 1;
   double particle_spacing = 0.05;  ///< d, metres
-  double support_radius = 2.0;     ///< of the kernel, in spacings, 1.2 to 2.5
+  double support_radius = 2.0;     ///< of the kernel, in spacings, 1.4 to 2.5
   double gravity = 9.81;           ///< m/s^2, along -z; 0 allowed
   Box tank;
   TankEdges tank_edges = kWalledTank;
