@@ -14,9 +14,9 @@ namespace pelagos {
 /// The efforts it may choose are a ladder: the scene's own at the bottom, then longer steps (each 2^(1/4) longer) up to
 /// the longest allowed, then tolerances (each twice) up to the largest allowed. Steps come first because they buy more
 /// for the density error that they cost: still water of 0.05 m particles, corrected solver, tolerance 3e-4, makes 315
-/// steps of 6.7 iterations in 1.5 s at a mean error of 0.021 %. With steps twice as long it is 180 steps of 12.0
-/// iterations, in 0.72 of the time, at 0.023 %; with a tolerance of 1e-3 it is 315 steps of 3.6 iterations, in 0.88 of
-/// the time, at 0.068 %.
+/// steps of 6.7 iterations in 1.5 s at a mean error of 0.021 %. With steps twice as long it is 180 steps of 11.5
+/// iterations, in 0.74 of the time, at 0.023 %; with a tolerance of 1e-3 it is 315 steps of 3.7 iterations, in 0.80 of
+/// the time, at 0.069 %.
 ///
 /// It climbs a rung when the smoothed time is over the budget, and comes down a rung when it has been under 0.75 of the
 /// budget for a while; a rung seldom costs so much that this alone would send it up again, and where it has to climb
