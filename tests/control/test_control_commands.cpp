@@ -81,6 +81,10 @@ TEST_F(ControlCommands, StatusCarriesEveryField) {
   s.frames_dropped = 12;
   s.poses_accepted = 13;
   s.poses_refused = 14;
+  s.unconverged_steps = 15;
+  s.recoveries = 16;
+  s.effort = {0.005, 3e-4, 1e-3};
+  s.governed = s.over_budget = true;
   s.wind = WindSettings{wind_velocity(12.0, 270.0), 2.0, 5.0, 1.25, WindPulse{8.0, 3.0}};
   BodyState body;
   body.body = 1;
@@ -115,6 +119,13 @@ TEST_F(ControlCommands, StatusCarriesEveryField) {
   EXPECT_EQ(m.frames_dropped(), 12u);
   EXPECT_EQ(m.poses_accepted(), 13u);
   EXPECT_EQ(m.poses_refused(), 14u);
+  EXPECT_EQ(m.unconverged_steps(), 15u);
+  EXPECT_EQ(m.recoveries(), 16u);
+  EXPECT_EQ(m.max_step(), 0.005);
+  EXPECT_EQ(m.density_tolerance(), 3e-4);
+  EXPECT_EQ(m.divergence_tolerance(), 1e-3);
+  EXPECT_TRUE(m.governed());
+  EXPECT_TRUE(m.over_budget());
   EXPECT_EQ(m.stations(), 1u);
   EXPECT_NEAR(m.wind().speed(), 12.0, kRounding);
   EXPECT_NEAR(m.wind().from_deg(), 270.0, 1e-9);

@@ -57,8 +57,8 @@ std::vector<std::string> server_arguments(const std::string& scene_file, const s
 /// A server on a small basin that answers.
 class Server : public testing::Test {
  protected:
-  void start(const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments = server_arguments(scene("still_water"), endpoint_);
+  void start(const std::vector<std::string>& more = {}, const std::string& scene_file = scene("still_water")) {
+    std::vector<std::string> arguments = server_arguments(scene_file, endpoint_);
     arguments.insert(arguments.end(), more.begin(), more.end());
     server_ = std::make_unique<RunningProgram>(arguments);
     const auto end = std::chrono::steady_clock::now() + kPatience;
@@ -116,6 +116,72 @@ TEST_F(Server, GoesOnWhenABridgeSendsForAnUnknownBody) {
   } while (status.at("poses_refused") == 0 && std::chrono::steady_clock::now() < end);
   EXPECT_GT(status.at("poses_refused"), 0);
   EXPECT_EQ(status.at("poses_accepted"), 0);
+}
+
+TEST_F(Server, PaysWithAccuracyWithinBoundsAndSaysSo) {
+  // No machine makes a frame of this basin in 0.1 ms: the governor must end at its bounds.
+  const TemporaryFolder folder;
+  const std::string scene_file = (folder.path() / "heavy.scene").string(),
+                    report = (folder.path() / "run.json").string();
+  std::ofstream(scene_file) << read_text(scene("still_water"))
+                            << "governor { frame_budget: 1e-4 largest_tolerance: 2e-3 largest_step: 0.008 }\n";
+  start({"--report", report}, scene_file);
+  nlohmann::json status;
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  do {
+    ASSERT_EQ(ask({"status", "--json"}), 0);
+    status = nlohmann::json::parse(answer_);
+  } while (status.at("over_budget") == false && std::chrono::steady_clock::now() < end);
+  EXPECT_EQ(status.at("governed"), true);
+  EXPECT_EQ(status.at("over_budget"), true);
+  EXPECT_EQ(status.at("max_step"), 0.008);
+  EXPECT_EQ(status.at("density_tolerance"), 2e-3);
+  EXPECT_EQ(status.at("divergence_tolerance"), 2e-3);
+  ASSERT_EQ(ask({"status"}), 0);
+  EXPECT_THAT(answer_, HasSubstr("governor at its bounds"));
+  server_->signal(SIGTERM);
+  EXPECT_EQ(server_->wait(kPatience), 0) << server_->errors();
+  EXPECT_THAT(server_->errors(), AllOf(HasSubstr("by governor: max_step 0.008 s, density tolerance 0.002"),
+                                       HasSubstr("at the scene's bounds and over the budget")));
+  const nlohmann::json effort = nlohmann::json::parse(read_text(report)).at("effort");
+  EXPECT_EQ(effort.at("governed"), true);
+  EXPECT_GE(effort.at("changes"), 2);
+  EXPECT_EQ(effort.at("max_step_s"), 0.008);
+}
+
+TEST_F(Server, TellsOfAToleranceThatIsOutOfReach) {
+  const TemporaryFolder folder;
+  const std::string scene_file = (folder.path() / "strict.scene").string();
+  std::ofstream(scene_file) << read_text(scene("still_water"))
+                            << "solver { divergence { tolerance: 1e-6 max_iterations: 3 } }\n";
+  start({}, scene_file);
+  nlohmann::json status;
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  do {  // the status is renewed once a second
+    ASSERT_EQ(ask({"status", "--json"}), 0);
+    status = nlohmann::json::parse(answer_);
+  } while (status.at("unconverged_steps") == 0 && std::chrono::steady_clock::now() < end);
+  EXPECT_GT(status.at("unconverged_steps"), 0);
+  const std::string warning = "the divergence constraint missed its tolerance in";
+  while (server_->errors().find(warning) == std::string::npos && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(milliseconds(50));  // told with the line of every 5 s
+  EXPECT_THAT(server_->errors(), AllOf(HasSubstr(warning), HasSubstr("against 1e-06 after 3 iterations"),
+                                       HasSubstr("raise solver.divergence.max_iterations")));
+}
+
+TEST_F(Server, IsExactWithoutAGovernor) {
+  start();
+  nlohmann::json status;
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  do {  // the effort is part of the first status that a step makes
+    ASSERT_EQ(ask({"status", "--json"}), 0);
+    status = nlohmann::json::parse(answer_);
+  } while (status.at("step") == 0 && std::chrono::steady_clock::now() < end);
+  EXPECT_EQ(status.at("governed"), false);
+  EXPECT_EQ(status.at("over_budget"), false);
+  EXPECT_EQ(status.at("density_tolerance"), 3e-4);
+  EXPECT_EQ(status.at("divergence_tolerance"), 3e-4);
+  EXPECT_EQ(status.at("recoveries"), 0);
 }
 
 TEST(ServerCommandLine, RefusesAnUnknownOption) {

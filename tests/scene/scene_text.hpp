@@ -17,6 +17,9 @@ inline const std::string kValid =
     "  block { min { x: 0 y: 0 z: 0 } max { x: 1 y: 1 z: 1 } }  # 9 x 9 x 9\n"  // 5
     "}\n";                                                                      // 6
 
+/// The start of a body entry, without its closing brace.
+inline constexpr const char* kBody = "body { id: 1 mesh_file: \"a.obj\" position { x: 1 y: 1 z: 1 } ";
+
 /// The scene with more text after it (its first line is line 7), refused away from any file system.
 inline SceneResult read_with(const std::string& more) {
   SceneReadOptions options;
@@ -32,5 +35,14 @@ inline SceneResult read_replacing(const std::string& what, const std::string& by
   text.replace(at, what.size(), by);
   return read_scene_text(text, "test.scene");
 }
+
+/// One faulty field: text that goes after the valid scene at line 7, and what the only fault must say.
+struct FaultCase {
+  const char* name;
+  const char* text;
+  const char* field;
+  const char* says;
+};
+inline void PrintTo(const FaultCase& c, std::ostream* out) { *out << c.text; }
 
 }  // namespace pelagos::test

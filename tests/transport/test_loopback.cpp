@@ -129,6 +129,10 @@ TEST_F(Loopback, StatusWindAndEventsComeThrough) {
   sent.real_time_factor = 0.99;
   sent.largest_density = 1.02;
   sent.poses_refused = 4;
+  sent.unconverged_steps = 7;
+  sent.recoveries = 2;
+  sent.effort = {0.005, 3e-4, 1e-3};
+  sent.governed = sent.over_budget = true;
   WindSettings wind;
   wind.velocity = wind_velocity(12.0, 270.0);  // from west: blows east
   wind.amplitude = 2.0;
@@ -159,6 +163,11 @@ TEST_F(Loopback, StatusWindAndEventsComeThrough) {
   EXPECT_EQ(status.real_time_factor, 0.99);
   EXPECT_EQ(status.largest_density, 1.02);
   EXPECT_EQ(status.poses_refused, 4U);
+  EXPECT_EQ(status.unconverged_steps, 7U);
+  EXPECT_EQ(status.recoveries, 2U);
+  EXPECT_EQ(status.effort, (Effort{0.005, 3e-4, 1e-3}));
+  EXPECT_TRUE(status.governed);
+  EXPECT_TRUE(status.over_budget);
   EXPECT_EQ(status.frames_published, 0U);
   ASSERT_EQ(status.bodies.size(), 1U);
   EXPECT_EQ(status.bodies[0].pose_age, 0.02);
@@ -218,6 +227,28 @@ TEST_F(Loopback, UnfitParticlesAreCountedAndTheFrameGoesOn) {
   ASSERT_TRUE(receiver_->wait_for_frame(kPatience));
   EXPECT_EQ(receiver_->take_newest()->particles.size(), 9U);
   EXPECT_TRUE(eventually([this] { return publisher_->counters().refused_particles == 1; }));
+}
+
+TEST_F(Loopback, ReadersOfTheFirstStatusAreStillServed) {
+  start();
+  const DdsReader reader(*participant_, topics::status_v1());
+  ServerStatus sent;
+  sent.scene = "tank";
+  sent.step = 900;
+  sent.poses_refused = 4;
+  sent.bodies = test_snapshot(*publisher_, 0, 0)->bodies;
+  bool came = false;
+  EXPECT_TRUE(eventually([&] {
+    publisher_->submit_status(sent);
+    reader.take_all<pelagos_StatusV1>([&](const pelagos_StatusV1& status) {
+      came = true;
+      EXPECT_STREQ(status.scene, "tank");
+      EXPECT_EQ(status.step, 900U);
+      EXPECT_EQ(status.poses_refused, 4U);
+      EXPECT_EQ(status.bodies._length, 1U);
+    });
+    return came;
+  }));
 }
 
 /// A writer that sends frames as they must not be.

@@ -28,8 +28,10 @@ struct RunArguments {
 void add_run_options(CLI::App& run, RunArguments& arguments) {
   run.add_option("--scene", arguments.scene_file, "Scene file")->required();
   run.add_option("--solver", arguments.solver, "Solver (default: the scene's)")->check(CLI::IsMember(solver_names()));
-  run.add_option("--tolerance", arguments.tolerance,
-                 "Tolerance of the density constraint, fraction of the rest density (default: the scene's)")
+  run.add_option(
+         "--tolerance", arguments.tolerance,
+         "Tolerance of the density constraint, with the corrected solver of both constraints (its velocity solve "
+         "is what counts); fraction of the rest density (default: the scene's)")
       ->check(CLI::Range(1e-6, 0.05));
   run.add_option("--seconds", arguments.options.seconds, "Simulated seconds")->check(CLI::Range(1e-3, 1e6));
   run.add_option("--steps", arguments.options.steps, "So many time steps instead of --seconds")
@@ -50,6 +52,7 @@ nlohmann::ordered_json to_json(const Scene& scene, const RunArguments& arguments
   json["scene"] = scene.name;
   json["solver"] = solver_name(scene.solver);
   json["tolerance"] = scene.solver.density.tolerance;
+  json["divergence_tolerance"] = scene.solver.divergence.tolerance;
   json["spacing"] = scene.particle_spacing;
   json["particles"] = r.particles;
   json["boundary_particles"] = r.boundary_particles;
@@ -91,7 +94,10 @@ std::optional<Scene> prepare_scene(const RunArguments& arguments) {
   }
   Scene scene = *read.scene;
   if (arguments.solver && !choose_solver(*arguments.solver, scene.solver)) return std::nullopt;
-  if (arguments.tolerance) scene.solver.density.tolerance = *arguments.tolerance;
+  if (arguments.tolerance) {
+    scene.solver.density.tolerance = *arguments.tolerance;
+    if (scene.solver.kind == SolverKind::kCorrected) scene.solver.divergence.tolerance = *arguments.tolerance;
+  }
   return scene;
 }
 

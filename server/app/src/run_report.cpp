@@ -43,7 +43,19 @@ Json error(const ServerSummary& s) {
           {"density_error_peak", s.run.density_error_peak},
           {"largest_density_peak", s.run.largest_density_peak},
           {"density_iterations_mean", s.run.mean(s.run.density_iterations)},
-          {"divergence_iterations_mean", s.run.mean(s.run.divergence_iterations)}};
+          {"divergence_iterations_mean", s.run.mean(s.run.divergence_iterations)},
+          {"unconverged_steps", s.run.unconverged_steps},
+          {"recoveries", s.status.recoveries}};
+}
+
+Json effort(const ServerSummary& s) {
+  return {{"governed", s.status.governed},
+          {"frame_budget_s", s.frame_budget},
+          {"changes", s.effort_changes},
+          {"over_budget", s.status.over_budget},
+          {"max_step_s", s.status.effort.max_step},
+          {"density_tolerance", s.status.effort.density_tolerance},
+          {"divergence_tolerance", s.status.effort.divergence_tolerance}};
 }
 
 Json transport(const ServerSummary& s) {
@@ -78,6 +90,7 @@ std::string write_run_report(const std::string& file, const ServerSummary& s) {
   json["peak_memory_bytes"] = peak_memory();
   json["speed"] = speed(s);
   json["error"] = error(s);
+  json["effort"] = effort(s);
   json["transport"] = transport(s);
   json["control"] = {{"requests", s.control.requests},
                      {"malformed", s.control.malformed},

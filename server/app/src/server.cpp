@@ -30,6 +30,13 @@ std::string describe_wind(const WindSettings& wind, double ramp_seconds) {
                      wind_from_deg(wind.velocity), wind.amplitude, ramp_seconds);
 }
 
+/// With every digit, so that a run can be replayed from its events.
+std::string describe_effort(const SetEffort& command) {
+  const Effort& effort = command.effort;
+  return fmt::format("max_step {} s, density tolerance {}, divergence tolerance {}: {}", effort.max_step,
+                     effort.density_tolerance, effort.divergence_tolerance, command.reason);
+}
+
 const char* describe_health(PoseHealth health) {
   switch (health) {
     case PoseHealth::kNone:
@@ -82,6 +89,10 @@ void Server::open_links() {
   world.progress = [this](double) { return !stop_.load(); };
   log_info(fmt::format("scene {}: placing and settling the water", options_.scene.name));
   world_ = std::make_unique<World>(options_.scene, world);
+  if (options_.scene.governor.on) {
+    governor_.emplace(options_.scene, world_->effort());
+    log_info(fmt::format("governor: a frame may take {:.1f} ms", governor_->budget() * 1e3));
+  }
   publisher_ = std::make_unique<FramePublisher>(participant, world_->describe(), PublisherSettings{}, dds.log);
   poses_ = std::make_unique<PoseReceiver>(participant, driven_bodies(options_.scene), dds.log);
   log_info(fmt::format("scene {}: {} particles of {:g} m, {} boundary samples ({} on hulls), {} threads; DDS domain {}",
@@ -123,6 +134,8 @@ ServerSummary Server::run() {
   summary.publisher = publisher_->counters();
   summary.poses = poses_->counters();
   summary.control = control_->statistics();
+  summary.effort_changes = effort_changes_;
+  summary.frame_budget = governor_ ? governor_->budget() : 0.0;
   summary.hull_samples = world_->bodies().sample_count();
   summary.threads = options_.threads;
   return summary;
@@ -166,6 +179,11 @@ void Server::apply(const QueuedCommand& queued) {
       server.steps_to_make_ += c.steps;
       server.announce("step", source, "single steps: " + std::to_string(c.steps));
     }
+    void operator()(const SetEffort& c) const {
+      server.world_->set_effort(c.effort);
+      ++server.effort_changes_;
+      server.announce("governor", source, describe_effort(c));
+    }
   };
   std::visit(Visitor{*this, queued.source}, queued.command);
 }
@@ -179,15 +197,51 @@ void Server::advance() {
   const std::int64_t begin = monotonic_ns();
   WorldStep step = world_->advance();
   if (step.frame_reached) publish_frame(step.report);
-  window_.add(step.report, static_cast<double>(monotonic_ns() - begin) * 1e-9);
+  const double busy = static_cast<double>(monotonic_ns() - begin) * 1e-9;
+  frame_busy_s_ += busy;
+  if (step.fault != StepFault::kNone) report_fault(step);
+  if (step.fault == StepFault::kRestored) return;  // its figures are those of water that is gone
+  window_.add(step.report, busy);
+  convergence_.add(step.report, world_->effort());
   last_report_ = step.report;
-  if (step.report.not_finite == 0) return;
-  broken_ = true;
-  log_error(
-      fmt::format("step {}: {} particles have values that are not finite; stopping. Lower time_step.max_step or "
-                  "time_step.cfl in the scene",
-                  world_->step(), step.report.not_finite));
-  announce("numerical_fault", "server", "values that are not finite");
+  if (!step.frame_reached) return;
+  if (governor_) govern(frame_busy_s_);
+  frame_busy_s_ = 0.0;
+}
+
+void Server::report_fault(const WorldStep& step) {
+  const bool fatal = step.fault == StepFault::kFatal;
+  const std::string what = fmt::format("{} particles have values that are not finite", step.report.not_finite);
+  if (fatal) {
+    broken_ = true;
+    log_error(fmt::format("step {}: {}; stopping. Lower time_step.max_step or time_step.cfl in the scene",
+                          world_->step(), what));
+  } else {
+    ++recoveries_;
+    log_warning(fmt::format("step {}: {}; the last good state is back, at {:.3f} s, and smaller steps follow",
+                            world_->step(), what, world_->time()));
+  }
+  announce("numerical_fault", "server", what + (fatal ? "; stopping" : "; the last good state is back"));
+}
+
+/// The governor sees how long a frame took; what it decides waits in the queue for the step boundary like any command.
+void Server::govern(double frame_seconds) {
+  const bool was_over = governor_->over_budget();
+  const std::optional<Effort> next = governor_->observe(frame_seconds);
+  const std::string cost =
+      fmt::format("a frame takes {:.1f} ms of {:.1f} ms", governor_->frame_seconds() * 1e3, governor_->budget() * 1e3);
+  if (next) {
+    const auto refused = commands_.submit(SetEffort{*next, cost}, "governor");
+    if (refused) log_warning("governor: " + *refused);
+  }
+  if (governor_->over_budget() == was_over) return;
+  if (was_over) {
+    announce("governor", "governor", "within the budget again: " + cost);
+    return;
+  }
+  log_warning("governor: at the scene's bounds, and " + cost +
+              "; this machine cannot keep up: more threads, a larger spacing, or wider bounds in the scene's governor");
+  announce("governor", "governor", "at the scene's bounds and over the budget: " + cost);
 }
 
 void Server::publish_frame(StepReport& report) {
@@ -237,17 +291,28 @@ void Server::refresh_status() {
     status_.poses_refused = poses.refused_in_all();
     status_.wind = world_->wind();
     status_.bodies = world_->bodies().states();
+    status_.effort = world_->effort();
+    status_.recoveries = recoveries_;
+    status_.governed = governor_.has_value();
+    status_.over_budget = governor_ && governor_->over_budget();
     if (paused_) status_.real_time_factor = 0.0;
     status = status_;
   }
   if (now < next_log_ns_) return;
   next_log_ns_ = now + kLogIntervalNs;
-  const std::string line = fmt::format(
-      "t {:.1f} s: real-time factor {:.2f} (could reach {:.1f}), step {:.1f} ms, density error {:.3f} %, {} of {} "
-      "particles sent, {} frames, {} dropped, {} readers{}",
+  log_status(status);
+}
+
+void Server::log_status(const ServerStatus& status) {
+  std::string line = fmt::format(
+      "t {:.1f} s: real-time factor {:.2f} (could reach {:.1f}), step {:.1f} ms, density error {:.3f} %, {} steps not "
+      "converged, {} of {} particles sent, {} frames, {} dropped, {} readers{}",
       status.simulation_time, status.real_time_factor, status.achievable_real_time_factor, status.step_ms,
-      status.density_error * 100.0, status.published_particles, status.particles, status.frames_published,
-      status.frames_dropped, publisher_->viewers(), paused_ ? ", paused" : "");
+      status.density_error * 100.0, status.unconverged_steps, status.published_particles, status.particles,
+      status.frames_published, status.frames_dropped, publisher_->viewers(), paused_ ? ", paused" : "");
+  if (status.governed)
+    line += fmt::format(", governed: steps up to {:.2f} ms, tolerances {:.2g} and {:.2g}", status.effort.max_step * 1e3,
+                        status.effort.density_tolerance, status.effort.divergence_tolerance);
   // Below real time through lack of speed, not because of a pause or a start.
   const bool too_slow = options_.paced && !paused_ && status.achievable_real_time_factor > 0.0 &&
                         status.achievable_real_time_factor < 1.0;
@@ -256,6 +321,8 @@ void Server::refresh_status() {
   } else {
     log_info(line);
   }
+  const std::string missed = convergence_.take();
+  if (!missed.empty()) log_warning(missed);
 }
 
 void Server::watch_poses(const std::vector<BodyState>& states) {

@@ -4,11 +4,14 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "command_queue.hpp"
 #include "control/control_server.hpp"
+#include "convergence_watch.hpp"
+#include "governor.hpp"
 #include "simulation/world.hpp"
 #include "status_window.hpp"
 #include "transport/frame_publisher.hpp"
@@ -40,6 +43,8 @@ struct ServerSummary {
   PublisherCounters publisher;
   PoseCounters poses;
   ControlStatistics control;
+  std::uint64_t effort_changes = 0;  ///< that the governor made
+  double frame_budget = 0.0;         ///< s; 0 without a governor
   std::size_t hull_samples = 0;
   int threads = 1;
 };
@@ -65,8 +70,11 @@ class Server {
   void take_poses();
   void advance();
   void publish_frame(StepReport& report);
+  void report_fault(const WorldStep& step);
+  void govern(double frame_seconds);
   void wait_paused();
   void refresh_status();
+  void log_status(const ServerStatus& status);
   void watch_poses(const std::vector<BodyState>& states);
   void watch_places(const std::vector<BodyState>& states);
   void announce(const std::string& kind, const std::string& source, const std::string& text);
@@ -81,6 +89,8 @@ class Server {
   std::unique_ptr<FramePublisher> publisher_;
   std::unique_ptr<PoseReceiver> poses_;
   StatusWindow window_;
+  ConvergenceWatch convergence_;
+  std::optional<Governor> governor_;
 
   mutable std::mutex status_mutex_;
   ServerStatus status_;  ///< shared with the control link
@@ -90,7 +100,8 @@ class Server {
   std::vector<PoseHealth> pose_health_;
   std::vector<bool> outside_;  ///< by body: last seen outside the tank
   StepReport last_report_;
-  std::uint64_t events_ = 0;
+  std::uint64_t events_ = 0, recoveries_ = 0, effort_changes_ = 0;
+  double frame_busy_s_ = 0.0;        ///< spent on the frame that is being computed
   std::uint32_t steps_to_make_ = 0;  ///< while paused
   bool paused_ = false;
   bool broken_ = false;

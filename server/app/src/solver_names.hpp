@@ -11,7 +11,7 @@ namespace pelagos {
 /// Names of solvers as the command line knows them.
 [[nodiscard]] const std::vector<std::string>& solver_names();
 
-/// Sets scheme and method by name; false if there is none of that name.
+/// Sets scheme and method by name; another scheme brings its own defaults. False if there is none of that name.
 [[nodiscard]] bool choose_solver(std::string_view name, SolverSettings& solver);
 
 /// The name of a scene's choice.

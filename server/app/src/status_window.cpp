@@ -17,6 +17,7 @@ void RunningMeans::add(const StepReport& report, double busy_seconds) {
   density_error += report.density_error;
   density_iterations += report.density.iterations;
   divergence_iterations += report.divergence.iterations;
+  unconverged_steps += report.density.converged && report.divergence.converged ? 0 : 1;
   density_error_peak = std::max(density_error_peak, report.density_error);
   largest_density_peak = std::max(largest_density_peak, report.largest_density);
   step_ms_peak = std::max(step_ms_peak, busy_seconds * 1e3);
@@ -32,6 +33,7 @@ bool StatusWindow::roll(std::int64_t now_ns, ServerStatus& status) {
   window_.wall_s = static_cast<double>(now_ns - window_start_ns_) * kNanoseconds;
   status.real_time_factor = window_.real_time_factor();
   status.achievable_real_time_factor = window_.achievable_real_time_factor();
+  status.unconverged_steps = static_cast<std::uint32_t>(window_.unconverged_steps);
   if (window_.steps > 0) {
     status.step_ms = window_.step_ms();
     status.time_step = window_.mean(window_.time_step);

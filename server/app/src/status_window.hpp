@@ -10,7 +10,7 @@ namespace pelagos {
 /// Means over a stretch of wall time, and over the whole run.
 struct RunningMeans {
   double wall_s = 0, simulated_s = 0, busy_s = 0;
-  std::uint64_t steps = 0;
+  std::uint64_t steps = 0, unconverged_steps = 0;
   double density_error = 0, density_iterations = 0, divergence_iterations = 0, time_step = 0;  ///< sums over steps
   double density_error_peak = 0, step_ms_peak = 0, largest_density_peak = 0;
 

@@ -111,6 +111,10 @@ std::string describe(const proto::v1::Status& s) {
                  s.published_particles());
   text += format("density    error %.4f %%, largest %.4f, iterations %.1f + %.1f\n", s.density_error() * 100.0,
                  s.largest_density(), s.density_iterations(), s.divergence_iterations());
+  text += format("solver     tolerances %.3g + %.3g, steps up to %.2f ms, %u steps not converged, ",
+                 s.density_tolerance(), s.divergence_tolerance(), s.max_step() * 1e3, s.unconverged_steps());
+  text += s.over_budget() ? "governor at its bounds\n" : s.governed() ? "governed\n" : "no governor\n";
+  if (s.recoveries() > 0) text += format("faults     %llu recovered from\n", ull{s.recoveries()});
   text += format("motion     %.4g J kinetic, fastest %.2f m/s\n", s.kinetic_energy(), s.largest_speed());
   text += format("frames     %llu published, %llu dropped\n", ull{s.frames_published()}, ull{s.frames_dropped()});
   text += format("poses      %llu accepted, %llu refused\n", ull{s.poses_accepted()}, ull{s.poses_refused()});

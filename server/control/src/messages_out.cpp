@@ -74,6 +74,13 @@ proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
   message.set_frames_dropped(status.frames_dropped);
   message.set_poses_accepted(status.poses_accepted);
   message.set_poses_refused(status.poses_refused);
+  message.set_unconverged_steps(status.unconverged_steps);
+  message.set_recoveries(status.recoveries);
+  message.set_governed(status.governed);
+  message.set_max_step(status.effort.max_step);
+  message.set_density_tolerance(status.effort.density_tolerance);
+  message.set_divergence_tolerance(status.effort.divergence_tolerance);
+  message.set_over_budget(status.over_budget);
   if (status.wind) fill(*status.wind, *message.mutable_wind());
   for (const BodyState& body : status.bodies) fill(body, *message.add_body());
   message.set_stations(static_cast<std::uint32_t>(stations));

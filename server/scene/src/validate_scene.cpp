@@ -13,16 +13,9 @@ namespace {
 
 constexpr double kMostParticles = 4e6;
 constexpr double kMostWallParticles = 4e6;
-constexpr double kMostCells = 64e6;  // of the neighbour search, 2 d a side
+constexpr double kMostCells = 64e6;  // of the neighbour search, a support radius a side
 constexpr std::size_t kMostBlocks = 64;
 constexpr double kFarthest = 1e6;  // m; coordinates beyond it lose a millimetre in single precision offsets
-
-/// What later checks need to know of earlier fields; empty where those were faulty.
-struct Basis {
-  std::optional<double> spacing;
-  std::optional<double> gravity;
-  std::optional<double> default_step;  ///< s, 0.07 sqrt(d/g)
-};
 
 std::string describe(const Eigen::Vector3d& v) {
   return "(" + format_number(v.x()) + ", " + format_number(v.y()) + ", " + format_number(v.z()) + ")";
@@ -71,7 +64,41 @@ Basis read_basis(const FieldReader& reader, const SceneSource& source, Scene& sc
   if (basis.spacing && basis.gravity && *basis.gravity > 0.0) {
     basis.default_step = 0.07 * std::sqrt(*basis.spacing / *basis.gravity);
   }
+  reader.read("support_radius", {1.4, 2.5, "spacings", "below, water explodes; above, rows of neighbours get too long"},
+              scene.support_radius);
+  basis.support_radius = scene.support_radius;
   return basis;
+}
+
+TankEdge read_edge(const FieldReader& reader, const char* axis) {
+  switch (reader.read_enum(axis)) {
+    case proto::v1::TankEdges::MIRROR:
+      return TankEdge::kMirror;
+    case proto::v1::TankEdges::PERIODIC:
+      return TankEdge::kPeriodic;
+    default:
+      return TankEdge::kWall;
+  }
+}
+
+constexpr const char* kAxes[] = {"x", "y", "z"};
+
+/// A periodic side must hold a whole number of spacings, or the lattice would not meet itself.
+TankEdges read_edges(const FieldReader& reader, const Basis& basis, const std::optional<Box>& tank) {
+  TankEdges edges = kWalledTank;
+  if (!reader.has("tank_edges")) return edges;
+  const FieldReader entry = reader.child("tank_edges");
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    edges[axis] = read_edge(entry, kAxes[axis]);
+    if (edges[axis] != TankEdge::kPeriodic || !tank || !basis.spacing) continue;
+    const double side = tank->size()[static_cast<int>(axis)], count = side / *basis.spacing;
+    if (std::fabs(count - std::round(count)) <= 1e-6) continue;
+    entry.fault(kAxes[axis], "is PERIODIC, but the tank's side of " + format_number(side) +
+                                 " m is no whole number of spacings; nearest allowed: " +
+                                 format_number(std::floor(count) * *basis.spacing) + " or " +
+                                 format_number(std::ceil(count) * *basis.spacing) + " m");
+  }
+  return edges;
 }
 
 std::optional<Box> read_tank(const FieldReader& reader, const Basis& basis) {
@@ -80,10 +107,11 @@ std::optional<Box> read_tank(const FieldReader& reader, const Basis& basis) {
   const std::optional<Box> tank = read_box(tank_reader);
   if (!tank || !basis.spacing) return tank;
   const Eigen::Vector3d sides = tank->size() / *basis.spacing;
-  if (sides.minCoeff() < 4.0 - 1e-6) {
+  const double least = std::max(4.0, 2.0 * basis.support_radius);
+  if (sides.minCoeff() < least - 1e-6) {
     tank_reader.fault("", "is " + format_number(tank->size().minCoeff()) + " m at its narrowest; allowed: at least " +
-                              format_number(4.0 * *basis.spacing) +
-                              " m (4 particle spacings: the support of a kernel)");
+                              format_number(least * *basis.spacing) + " m (" + format_number(least) +
+                              " particle spacings: the support of a kernel)");
   }
   const double walls = 2.0 * (sides.x() * sides.y() + sides.y() * sides.z() + sides.z() * sides.x());
   if (walls > kMostWallParticles) {
@@ -91,7 +119,7 @@ std::optional<Box> read_tank(const FieldReader& reader, const Basis& basis) {
                               " wall particles at this spacing; allowed: " + format_count(kMostWallParticles) +
                               " (a larger particle_spacing or a smaller tank)");
   }
-  const double cells = sides.prod() / 8.0;
+  const double cells = sides.prod() / std::pow(basis.support_radius, 3.0);
   if (cells > kMostCells) {
     tank_reader.fault("", "needs about " + format_count(std::round(cells)) +
                               " search cells at this spacing; allowed: " + format_count(kMostCells) +
@@ -109,7 +137,24 @@ bool overlap(const Box& a, const Box& b, double slack) {
   return (a.min.array() < b.max.array() - slack).all() && (b.min.array() < a.max.array() - slack).all();
 }
 
-void read_blocks(const FieldReader& water, const Basis& basis, const std::optional<Box>& tank, FluidSettings& fluid) {
+/// Least size of a block that holds a particle: 2 spacings between walls, one where the axis has none.
+Eigen::Vector3d least_block(const TankEdges& edges, double spacing) {
+  return 2.0 * spacing * Eigen::Vector3d(lattice_offset(edges[0]), lattice_offset(edges[1]), lattice_offset(edges[2]));
+}
+
+void refuse_small_block(const FieldReader& entry, const Box& block, double spacing, const TankEdges& edges) {
+  const Eigen::Vector3d least = least_block(edges, spacing);
+  if (edges == kWalledTank) {
+    entry.fault("", "is too small for one particle: " + describe(block.size()) + " m; allowed: at least " +
+                        format_number(least.x()) + " m (2 particle spacings) along each axis");
+  } else {
+    entry.fault("", "is too small for one particle: " + describe(block.size()) + " m; allowed: at least " +
+                        describe(least) + " m (2 particle spacings between walls, else 1)");
+  }
+}
+
+void read_blocks(const FieldReader& water, const Basis& basis, const std::optional<Box>& tank, const TankEdges& edges,
+                 FluidSettings& fluid) {
   if (!water.require("block")) return;
   const std::vector<FieldReader> entries = water.children("block");
   if (entries.size() > kMostBlocks) {
@@ -126,11 +171,8 @@ void read_blocks(const FieldReader& water, const Basis& basis, const std::option
       entries[i].fault("", "lies at " + describe(*block) + "; allowed: inside the tank, " + describe(*tank));
     }
     if (basis.spacing) {
-      const double count = particle_count(*block, *basis.spacing);
-      if (count < 1.0) {
-        entries[i].fault("", "is too small for one particle: " + describe(block->size()) + " m; allowed: at least " +
-                                 format_number(2.0 * *basis.spacing) + " m (2 particle spacings) along each axis");
-      }
+      const double count = particle_count(*block, *basis.spacing, edges);
+      if (count < 1.0) refuse_small_block(entries[i], *block, *basis.spacing, edges);
       total += count;
     }
     for (const auto& [other, box] : placed) {
@@ -148,65 +190,32 @@ void read_blocks(const FieldReader& water, const Basis& basis, const std::option
   }
 }
 
+/// @param longest_step  s, that any step of the scene may take; 0 where it is not known
+void read_viscosity(const FieldReader& water, const Basis& basis, SolverKind solver, double longest_step,
+                    FluidSettings& fluid) {
+  double largest = 1e4;
+  if (basis.spacing && longest_step > 0.0) largest = 0.1 * *basis.spacing * *basis.spacing / longest_step;
+  water.read("kinematic_viscosity", {0.0, largest, "m^2/s", "0.1 d^2 / max_step: above it a step is unstable"},
+             fluid.kinematic_viscosity);
+  const double default_value = default_viscosity(solver, basis.spacing.value_or(0.0));
+  if (!water.has("kinematic_viscosity") && default_value > largest) {
+    water.fault("kinematic_viscosity", "defaults to " + format_number(default_value) +
+                                           ", too much for so long a step; give one: 0 to " + format_number(largest) +
+                                           " m^2/s");
+  }
+}
+
 FluidSettings read_water(const FieldReader& reader, const Basis& basis, const std::optional<Box>& tank,
-                         double largest_step) {
+                         const Scene& scene) {
   FluidSettings fluid;
   if (!reader.require("water")) return fluid;
   const FieldReader water = reader.child("water");
   water.read("rest_density", {500.0, 2000.0, "kg/m^3"}, fluid.rest_density);
-  double largest_viscosity = 1e4;
-  if (basis.spacing && largest_step > 0.0) largest_viscosity = 0.1 * *basis.spacing * *basis.spacing / largest_step;
-  water.read("kinematic_viscosity",
-             {0.0, largest_viscosity, "m^2/s", "0.1 d^2 / max_step: above it a step is unstable"},
-             fluid.kinematic_viscosity);
-  const double default_viscosity = 0.01 * std::pow(basis.spacing.value_or(0.0) / 0.05, 1.5);
-  if (!water.has("kinematic_viscosity") && default_viscosity > largest_viscosity) {
-    water.fault("kinematic_viscosity", "defaults to " + format_number(default_viscosity) +
-                                           ", too much for so long a step; give one: 0 to " +
-                                           format_number(largest_viscosity) + " m^2/s");
-  }
+  const double own_step = scene.time_step.max_step > 0.0 ? scene.time_step.max_step : basis.default_step.value_or(0.0);
+  read_viscosity(water, basis, scene.solver.kind, std::max(own_step, scene.governor.largest_step), fluid);
   water.read("settle_steps", {0, 5000}, fluid.settle_steps);
-  read_blocks(water, basis, tank, fluid);
+  read_blocks(water, basis, tank, scene.tank_edges, fluid);
   return fluid;
-}
-
-void read_constraint(const FieldReader& solver, const char* name, ConstraintSettings& settings) {
-  if (!solver.has(name)) return;
-  const FieldReader reader = solver.child(name);
-  reader.read("tolerance", {1e-6, 0.05, "", "a fraction of the rest density; single precision resolves no less"},
-              settings.tolerance);
-  const bool min_sound =
-      reader.read("min_iterations", {1, 1000}, settings.min_iterations) || !reader.has("min_iterations");
-  const bool max_sound =
-      reader.read("max_iterations", {1, 1000}, settings.max_iterations) || !reader.has("max_iterations");
-  if (min_sound && max_sound && settings.min_iterations > settings.max_iterations) {
-    reader.fault(reader.has("min_iterations") ? "min_iterations" : "max_iterations",
-                 "min_iterations " + std::to_string(settings.min_iterations) + " is above max_iterations " +
-                     std::to_string(settings.max_iterations) + "; allowed: at most max_iterations");
-  }
-}
-
-SolverSettings read_solver(const FieldReader& reader) {
-  SolverSettings solver;
-  if (!reader.has("solver")) return solver;
-  const FieldReader entry = reader.child("solver");
-  if (entry.read_enum("kind") == proto::v1::Solver::HYBRID) solver.kind = SolverKind::kHybrid;
-  if (entry.read_enum("method") == proto::v1::Solver::JACOBI) solver.method = PressureMethod::kJacobi;
-  read_constraint(entry, "density", solver.density);
-  read_constraint(entry, "divergence", solver.divergence);
-  return solver;
-}
-
-TimeStepSettings read_time_step(const FieldReader& reader, const Basis& basis) {
-  TimeStepSettings settings;
-  const FieldReader entry = reader.child("time_step");
-  entry.read("cfl", {0.05, 1.0}, settings.cfl);
-  const double largest = basis.default_step ? 2.0 * *basis.default_step : 10.0;
-  entry.read("max_step", {1e-6, largest, "s", "twice 0.07 sqrt(d/g), where solves begin to fail"}, settings.max_step);
-  if (basis.gravity && *basis.gravity == 0.0 && !entry.has("max_step")) {
-    reader.fault("gravity", "is 0, which leaves no time scale; needed then: time_step.max_step, above 0 to 10 s");
-  }
-  return settings;
 }
 
 void read_wind_of_scene(const FieldReader& reader, const Basis& basis, Scene& scene) {
@@ -233,11 +242,11 @@ void read_origin(const FieldReader& reader, GeodeticOrigin& origin) {
   entry.read("height", {-1000.0, 10000.0, "m"}, origin.height);
 }
 
-void read_surface(const FieldReader& reader, SurfaceSettings& surface) {
+void read_surface(const FieldReader& reader, const Basis& basis, SurfaceSettings& surface) {
   const FieldReader entry = reader.child("surface");
   entry.read("publish_all", surface.publish_all);
   entry.read("detection_threshold", {0.0, 1.0}, surface.detection_threshold);
-  entry.read("halo", {0.0, 2.0, "spacings", "neighbours reach no further"}, surface.halo);
+  entry.read("halo", {0.0, basis.support_radius, "spacings", "neighbours reach no further"}, surface.halo);
 }
 
 }  // namespace
@@ -251,20 +260,21 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
   const Basis basis = read_basis(reader, source, scene);
   const std::optional<Box> tank = read_tank(reader, basis);
   scene.tank = tank.value_or(Box{});
-  scene.time_step = read_time_step(reader, basis);
-  const double largest_step =
-      scene.time_step.max_step > 0.0 ? scene.time_step.max_step : basis.default_step.value_or(0.0);
-  scene.water = read_water(reader, basis, tank, largest_step);
-  scene.solver = read_solver(reader);
+  scene.tank_edges = read_edges(reader, basis, tank);
   double frame_rate = 30.0;
   reader.read("frame_rate", {1.0, 240.0, "frames per second"}, frame_rate);
   scene.frame_interval = 1.0 / frame_rate;
+  scene.time_step = validate_time_step(reader, basis);
+  scene.solver = validate_solver(reader);
+  scene.governor = validate_governor(reader, basis, scene);
+  if (reader.read_enum("on_fault") == proto::v1::Scene::RESTORE) scene.on_fault = FaultPolicy::kRestore;
+  scene.water = read_water(reader, basis, tank, scene);
 
   read_wind_of_scene(reader, basis, scene);
   scene.bodies = validate_bodies(reader, tank, source);
   read_far_sea(reader, scene.far_sea);
   read_origin(reader, scene.origin);
-  read_surface(reader, scene.surface);
+  read_surface(reader, basis, scene.surface);
   return scene;
 }
 

@@ -16,11 +16,27 @@ struct SceneSource {
   std::optional<double> particle_spacing;  ///< instead of the file's
 };
 
+/// What later checks need to know of earlier fields; empty where those were faulty.
+struct Basis {
+  std::optional<double> spacing;
+  std::optional<double> gravity;
+  std::optional<double> default_step;  ///< s, 0.07 sqrt(d/g)
+  double support_radius = 2.0;         ///< spacings
+};
+
 /// Reads every field of a Scene message; faults are noted in the reader. The scene may be used only if none was.
 [[nodiscard]] Scene validate_scene(const FieldReader& reader, const SceneSource& source);
 
 /// The `body` entries.
 [[nodiscard]] std::vector<BodySettings> validate_bodies(const FieldReader& scene_reader, const std::optional<Box>& tank,
                                                         const SceneSource& source);
+
+/// The `solver` entry.
+[[nodiscard]] SolverSettings validate_solver(const FieldReader& scene_reader);
+/// The `time_step` entry; also whether there is a time scale at all.
+[[nodiscard]] TimeStepSettings validate_time_step(const FieldReader& scene_reader, const Basis& basis);
+/// The `governor` entry, checked against the scene's frame interval, solver and time step.
+[[nodiscard]] GovernorSettings validate_governor(const FieldReader& scene_reader, const Basis& basis,
+                                                 const Scene& scene);
 
 }  // namespace pelagos

@@ -16,6 +16,25 @@ Eigen::Vector3d to_world(const BodyState& state, const Eigen::Vector3d& body) {
   return state.orientation * body + state.position;
 }
 
+/// Where a body is too near to a periodic face of the tank: it has no image beyond. Empty if nowhere.
+/// @param reach  m, that must stay free
+std::string fault_at_faces(const Scene& scene, const BodySettings& settings, const Eigen::AlignedBox3d& mesh,
+                           double reach) {
+  Eigen::AlignedBox3d place;
+  for (int corner = 0; corner < 8; ++corner)
+    place.extend(settings.position +
+                 settings.orientation * mesh.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+  for (int axis = 0; axis < 3; ++axis) {
+    if (scene.tank_edges[static_cast<std::size_t>(axis)] != TankEdge::kPeriodic) continue;
+    const double room = std::min(place.min()[axis] - scene.tank.min[axis], scene.tank.max[axis] - place.max()[axis]);
+    if (room >= reach) continue;
+    const auto digits = [](double value) { return std::to_string(value); };
+    return "reaches to " + digits(room) + " m from a periodic face across " + std::string(1, "xyz"[axis]) +
+           "; allowed: at least a support radius, " + digits(reach) + " m, since it has no image beyond";
+  }
+  return {};
+}
+
 /// A jump may land on water that stands where the body was before: mapped again, at most so many times.
 constexpr int kRelocations = 8;
 
@@ -29,6 +48,11 @@ Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::v
         load_body_shape(settings.mesh_file, settings.mesh_scale, scene.particle_spacing, settings.sample_inset);
     for (const std::string& fault : body.shape.faults)
       faults.push_back("body " + std::to_string(settings.id) + " (" + settings.name + "): " + fault);
+    const std::string at_faces = body.shape.faults.empty()
+                                     ? fault_at_faces(scene, settings, body.shape.bounding_box, support_radius)
+                                     : std::string();
+    if (!at_faces.empty())
+      faults.push_back("body " + std::to_string(settings.id) + " (" + settings.name + "): " + at_faces);
     body.state.body = settings.id;
     body.state.position = settings.position;
     body.state.orientation = settings.orientation;
@@ -104,6 +128,21 @@ void Bodies::relocate_water(const Body& body, const BodyState& before, const Eig
     p.velocity[i] = p.acceleration[i] = {};
     p.density_pressure[i] = p.divergence_pressure[i] = 0.0F;
   }
+}
+
+std::vector<Bodies::Motion> Bodies::motions() const {
+  std::vector<Motion> motions;
+  motions.reserve(bodies_.size());
+  for (const Body& body : bodies_) motions.push_back({body.state, body.driven});
+  return motions;
+}
+
+void Bodies::restore(const std::vector<Motion>& motions, const Eigen::Vector3d& origin, FluidState& fluid) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    bodies_[i].state = motions[i].state;
+    bodies_[i].driven = motions[i].driven;
+  }
+  if (!bodies_.empty()) place(origin, fluid);
 }
 
 }  // namespace pelagos

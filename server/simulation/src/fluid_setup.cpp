@@ -8,7 +8,6 @@ namespace pelagos {
 
 namespace {
 
-constexpr double kSupportSpacings = 2.0;
 /// Fluid particles start at least this far outside a hull, in spacings: with samples 0.6 inside it, one spacing away.
 constexpr double kHullClearance = 0.4;
 
@@ -66,7 +65,7 @@ SolveSettings solve_settings(const ConstraintSettings& constraint, const SolverS
 FluidParameters fluid_parameters(const Scene& scene, const Eigen::Vector3d& origin) {
   FluidParameters p;
   p.spacing = scene.particle_spacing;
-  p.support_radius = kSupportSpacings * p.spacing;
+  p.support_radius = scene.support_radius * p.spacing;
   p.rest_density = scene.water.rest_density;
   p.viscosity = scene.water.kinematic_viscosity >= 0.0 ? scene.water.kinematic_viscosity
                                                        : default_viscosity(scene.solver.kind, p.spacing);
@@ -97,9 +96,9 @@ std::vector<Float4> place_blocks(const Scene& scene, const Bodies& bodies, const
   std::vector<Float4> positions;
   for (const Box& block : scene.water.blocks) {
     const auto counts = lattice_counts(block, d, scene.tank_edges);
-    const Eigen::Vector3d first = block.min + d * Eigen::Vector3d(lattice_offset(scene.tank_edges[0]),
-                                                                  lattice_offset(scene.tank_edges[1]),
-                                                                  lattice_offset(scene.tank_edges[2]));
+    const Eigen::Vector3d first =
+        block.min + d * Eigen::Vector3d(lattice_offset(scene.tank_edges[0]), lattice_offset(scene.tank_edges[1]),
+                                        lattice_offset(scene.tank_edges[2]));
     for (std::int64_t k = 0; k < counts[2]; ++k)
       for (std::int64_t j = 0; j < counts[1]; ++j)
         for (std::int64_t i = 0; i < counts[0]; ++i) {

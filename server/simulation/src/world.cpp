@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
@@ -17,6 +18,10 @@ constexpr double kStandardGravity = 9.81;  ///< m/s^2, for what needs a scale wh
 
 /// Part of the largest time step below which speeds no longer shorten it: one runaway particle must not stop the clock.
 constexpr double kSmallestStep = 0.02;
+
+/// After a numerical fault steps are shorter for so long, s of simulated time; so many faults before that end the run.
+constexpr double kCarefulTime = 1.0;
+constexpr int kMostFaults = 3;
 
 constexpr int kSettleChunk = 10;  ///< steps between reports of progress
 
@@ -67,6 +72,21 @@ World::World(const Scene& scene, const WorldOptions& options)
   settle();
   for (std::size_t i = 0; i < fluid_.particles.count; ++i)
     fluid_.particles.acceleration[i] = {0.0F, 0.0F, static_cast<float>(-scene_.gravity), 0.0F};
+  if (scene_.on_fault == FaultPolicy::kRestore) {
+    recovery_.emplace(clock_);
+    keep_recovery_point();
+  }
+}
+
+void World::keep_recovery_point() {
+  if (recovery_) recovery_->keep(fluid_, bodies_, clock_, largest_speed_);
+}
+
+StepFault World::recover() {
+  if (!recovery_ || ++faults_in_row_ == kMostFaults) return StepFault::kFatal;
+  recovery_->restore(origin_, fluid_, bodies_, clock_, largest_speed_);
+  careful_until_ = clock_.time() + kCarefulTime;
+  return StepFault::kRestored;
 }
 
 void World::settle() {
@@ -100,16 +120,25 @@ WorldStep World::advance() {
     const StageScope scope(report.times, clock, Stage::kMeasure);
     measure_fluid(*pool_, fluid_, dt, report);
   }
+  ++step_;
+  if (report.not_finite > 0) {
+    step.fault = recover();
+    if (step.fault == StepFault::kRestored) return step;
+  }
   largest_speed_ = report.largest_speed;
   step.frame_reached = clock_.advance(dt);
-  ++step_;
+  if (step.fault == StepFault::kFatal) return step;
+  if (clock_.time() >= careful_until_) faults_in_row_ = 0;
+  keep_recovery_point();
   return step;
 }
 
 double World::choose_time_step() const {
   const double speed = std::max(largest_speed_, bodies_.largest_speed());
-  const double step = admissible_time_step(fluid_.parameters, scene_.time_step.cfl, max_step_, speed);
-  return clock_.choose_step(std::max(step, kSmallestStep * max_step_));
+  const double longest = std::ldexp(max_step_, -faults_in_row_);  // half for each fault in a row
+  const double cfl = std::ldexp(scene_.time_step.cfl, -faults_in_row_);
+  const double step = admissible_time_step(fluid_.parameters, cfl, longest, speed);
+  return clock_.choose_step(std::max(step, kSmallestStep * longest));
 }
 
 void World::set_wind(const WindSettings& wind, double ramp_seconds) {
@@ -125,6 +154,16 @@ void World::set_wind(const WindSettings& wind, double ramp_seconds) {
 std::optional<WindSettings> World::wind() const {
   if (!wind_) return std::nullopt;
   return wind_->settings_at(clock_.time());
+}
+
+void World::set_effort(const Effort& effort) {
+  max_step_ = effort.max_step;
+  fluid_.parameters.density.tolerance = effort.density_tolerance;
+  fluid_.parameters.divergence.tolerance = effort.divergence_tolerance;
+}
+
+Effort World::effort() const {
+  return {max_step_, fluid_.parameters.density.tolerance, fluid_.parameters.divergence.tolerance};
 }
 
 void World::fill_snapshot(Snapshot& snapshot, StepReport& report) {

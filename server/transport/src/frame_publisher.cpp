@@ -63,6 +63,7 @@ class FramePublisher::Implementation {
         scene_writer_(*participant_, topics::scene_info()),
         frame_writer_(*participant_, topics::ocean_frame()),
         status_writer_(*participant_, topics::status()),
+        status_v1_writer_(*participant_, topics::status_v1()),
         wind_writer_(*participant_, topics::wind()),
         event_writer_(*participant_, topics::event()) {
     if (const auto warning = check_receive_buffer()) log_.write(*warning);  // viewers mostly run on this machine too
@@ -235,6 +236,7 @@ class FramePublisher::Implementation {
     }
     const wire::StatusSample sample(status, source_, frame_);
     count_write(status_writer_.write(&sample.get()), "status");
+    count_write(status_v1_writer_.write(&sample.first_version()), "status");
 
     pelagos_WindV1 wind{};
     wind.source = source_;
@@ -268,7 +270,7 @@ class FramePublisher::Implementation {
   std::shared_ptr<DdsParticipant> participant_;
   DdsWriter scene_writer_;
   DdsWriter frame_writer_;
-  DdsWriter status_writer_;
+  DdsWriter status_writer_, status_v1_writer_;
   DdsWriter wind_writer_;
   DdsWriter event_writer_;
 

@@ -108,7 +108,7 @@ class FrameReceiver::Implementation {
     alive_ = scenes_.alive_writers() > 0;
     scenes_.take_all<pelagos_SceneInfoV1>([this](const auto& sample) { accept_scene(sample); });
     frames_.take_all<pelagos_OceanFrameV1>([this](const auto& sample) { accept_frame(sample); });
-    statuses_.take_all<pelagos_StatusV1>([this](const auto& sample) {
+    statuses_.take_all<pelagos_StatusV2>([this](const auto& sample) {
       if (!is_followed(sample.source)) return;
       ServerStatus status = wire::from_wire(sample);
       const std::lock_guard lock(mutex_);

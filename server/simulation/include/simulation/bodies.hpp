@@ -43,6 +43,14 @@ class Bodies {
 
   [[nodiscard]] std::vector<BodyState> states() const;
 
+  /// What moves about the bodies, to come back to; their shapes stay.
+  struct Motion {
+    BodyState state;
+    std::optional<DrivenBody> driven;
+  };
+  [[nodiscard]] std::vector<Motion> motions() const;
+  void restore(const std::vector<Motion>& motions, const Eigen::Vector3d& origin, FluidState& fluid);
+
  private:
   struct Body {
     BodySettings settings;

@@ -10,8 +10,10 @@
 #include "physics/fluid.hpp"
 #include "simulation/bodies.hpp"
 #include "simulation/frame_clock.hpp"
+#include "simulation/recovery_point.hpp"
 #include "surface/surface_extractor.hpp"
 #include "values/command.hpp"
+#include "values/effort.hpp"
 #include "values/scene.hpp"
 #include "values/scene_info.hpp"
 #include "values/snapshot.hpp"
@@ -26,10 +28,18 @@ struct WorldOptions {
   std::function<bool(double)> progress;
 };
 
-/// A step and whether it reached a frame.
+/// What became of values that are not finite.
+enum class StepFault {
+  kNone,
+  kRestored,  ///< there were some; the state before the step is back, and smaller steps are made for a while
+  kFatal,     ///< there are some, and nothing is left to try
+};
+
+/// A step and whether it reached a frame. After a restored fault the report tells of the step that failed.
 struct WorldStep {
   StepReport report;
   bool frame_reached = false;
+  StepFault fault = StepFault::kNone;
 };
 
 /// A scene in motion: water, walls, bodies, wind and time. No I/O beyond the mesh files read at the start.
@@ -39,7 +49,9 @@ class World {
   /// Throws std::invalid_argument naming what is wrong with which body, one a line.
   World(const Scene& scene, const WorldOptions& options);
 
-  /// Advances by one step, no further than the next frame.
+  /// Advances by one step, no further than the next frame. Where the scene asks for it (FaultPolicy::kRestore), a step
+  /// that ends with values that are not finite is taken back, and the next second of simulated time is made with half
+  /// the step (a quarter after a second fault); a third fault before such a second is over is fatal.
   WorldStep advance();
 
   /// Takes a validated pose; false if no body follows it.
@@ -47,6 +59,10 @@ class World {
   void set_wind(const WindSettings& wind, double ramp_seconds);
   void clear_wind() { wind_.reset(); }
   [[nodiscard]] std::optional<WindSettings> wind() const;
+
+  /// What the coming steps may cost. The scene's own until it is set; warm starts and states are kept.
+  void set_effort(const Effort& effort);
+  [[nodiscard]] Effort effort() const;
 
   /// Fills time, frame, origin, bodies and the particles that travel. Its cost is a stage of the last step.
   void fill_snapshot(Snapshot& snapshot, StepReport& report);
@@ -65,8 +81,11 @@ class World {
   [[nodiscard]] StepReport measure() const;  ///< of the present state, no step made
 
  private:
+  friend struct WorldTestAccess;  // tests of faults put them into the water
   [[nodiscard]] double choose_time_step() const;
   void settle();
+  void keep_recovery_point();
+  StepFault recover();
 
   Scene scene_;
   WorldOptions options_;
@@ -81,6 +100,9 @@ class World {
   double max_step_ = 0.0;
   double largest_speed_ = 0.0;
   std::uint64_t step_ = 0;
+  std::optional<RecoveryPoint> recovery_;  ///< only where the scene asks for it
+  int faults_in_row_ = 0;
+  double careful_until_ = 0.0;  ///< s, simulated: steps are shorter up to there, while there are faults in a row
 };
 
 }  // namespace pelagos

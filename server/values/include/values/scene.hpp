@@ -61,13 +61,14 @@ struct SolverSettings {
   PressureMethod method = PressureMethod::kConjugateGradient;
   ConstraintSettings density{3e-4, 0, 100};     ///< corrected: the repair of positions
   ConstraintSettings divergence{3e-4, 2, 100};  ///< corrected: the velocity solve
-  double relaxation = 0.5;   ///< damping of the Jacobi methods, 0 to 1
-  double warm_start = 1.0;   ///< share of the last pressure that the conjugate gradients start from, 0 to 1
-  double filter = 3.0;       ///< corrected: strength of the velocity filter, no unit
+  double relaxation = 0.5;                      ///< damping of the Jacobi methods, 0 to 1
+  double warm_start = 1.0;  ///< share of the last pressure that the conjugate gradients start from, 0 to 1
+  double filter = 3.0;      ///< corrected: strength of the velocity filter, no unit
 };
 
 /// The settings of a solver where a scene says nothing else. The corrected scheme repairs positions only when it must,
-/// and always takes two iterations for the velocity: with one, waves lose 2 % a period in the long run instead of 0.2 %.
+/// and always takes two iterations for the velocity: with one, waves lose 2 % a period in the long run instead of 0.2
+/// %.
 [[nodiscard]] inline SolverSettings default_solver(SolverKind kind) {
   SolverSettings solver;
   solver.kind = kind;
@@ -86,7 +87,7 @@ struct SolverSettings {
 /// Keeps a frame rate by paying with accuracy, within these bounds. Off: the scene's own step and tolerances hold.
 struct GovernorSettings {
   bool on = false;
-  double frame_budget = 0.0;        ///< s of wall time for a frame's steps; <= 0: 0.8 of the frame interval
+  double frame_budget = 0.0;        ///< s of wall time that computing a frame may take; <= 0: 0.8 of the frame interval
   double largest_tolerance = 1e-2;  ///< no tolerance is raised above this
   double largest_step = 0.0;        ///< s, no time step is raised above this; <= 0: the scene's own max_step
 };
@@ -152,6 +153,7 @@ struct Scene {
   std::string name;
   std::uint64_t seed = 1;
   double particle_spacing = 0.05;  ///< d, metres
+  double support_radius = 2.0;     ///< of the kernel, in spacings, 1.4 to 2.5
   double gravity = 9.81;           ///< m/s^2, along -z; 0 allowed
   Box tank;
   TankEdges tank_edges = kWalledTank;

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "values/body.hpp"
+#include "values/effort.hpp"
 #include "values/wind.hpp"
 
 namespace pelagos {
 
-/// The health of the server, as published on `status_v1` and answered over the control link. All over the last second
+/// The health of the server, as published on `status_v2` and answered over the control link. All over the last second
 /// unless stated.
 struct ServerStatus {
   std::string scene;
@@ -29,12 +30,17 @@ struct ServerStatus {
   double largest_density = 0.0;           ///< max of rho/rho0
   double density_iterations = 0.0;
   double divergence_iterations = 0.0;
-  double kinetic_energy = 0.0;         ///< J
-  double largest_speed = 0.0;          ///< m/s
-  std::uint64_t frames_published = 0;  ///< since the start
-  std::uint64_t frames_dropped = 0;    ///< replaced in the mailbox before the publisher took them, since the start
+  std::uint32_t unconverged_steps = 0;  ///< steps in which a constraint met its bound of iterations
+  double kinetic_energy = 0.0;          ///< J
+  double largest_speed = 0.0;           ///< m/s
+  std::uint64_t frames_published = 0;   ///< since the start
+  std::uint64_t frames_dropped = 0;     ///< replaced in the mailbox before the publisher took them, since the start
   std::uint64_t poses_accepted = 0;
   std::uint64_t poses_refused = 0;
+  std::uint64_t recoveries = 0;  ///< times that the last good state came back after a numerical fault, since the start
+  Effort effort;                 ///< that holds now: the scene's own, or the governor's
+  bool governed = false;         ///< whether a governor may change it
+  bool over_budget = false;      ///< the governor is at its bounds and a frame still takes longer than its budget
   std::optional<WindSettings> wind;  ///< as blowing now (mean, mid-ramp values included)
   std::vector<BodyState> bodies;
 };

@@ -47,16 +47,19 @@ class SceneInfoSample {
 };
 [[nodiscard]] SceneInfo from_wire(const pelagos_SceneInfoV1& info);
 
+/// Both versions of the status; they lend the strings of `status`, which must outlive the sample.
 class StatusSample {
  public:
   StatusSample(const ServerStatus& status, std::uint64_t source, pelagos_WorldFrame bodies_frame);
-  [[nodiscard]] const pelagos_StatusV1& get() const { return sample_; }
+  [[nodiscard]] const pelagos_StatusV2& get() const { return sample_; }
+  [[nodiscard]] const pelagos_StatusV1& first_version() const { return first_version_; }
 
  private:
   std::vector<pelagos_BodyStateV1> bodies_;
-  pelagos_StatusV1 sample_{};
+  pelagos_StatusV2 sample_{};
+  pelagos_StatusV1 first_version_{};
 };
-[[nodiscard]] ServerStatus from_wire(const pelagos_StatusV1& status);
+[[nodiscard]] ServerStatus from_wire(const pelagos_StatusV2& status);
 
 /// Reused from frame to frame, so that its buffers are.
 class OceanFrameSample {
