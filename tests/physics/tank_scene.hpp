@@ -62,7 +62,7 @@ class TankScene {
 
   /// Corrections and gradients anew, after the walls' velocities have been set.
   void refresh(TaskPool& pool) {
-    compute_corrections(pool, data, delta, corrections);
+    compute_corrections(pool, data, delta, gradients, corrections);
     compute_corrected_gradients(pool, data, corrections, gradients);
   }
   /// The values with their images behind them.
