@@ -108,10 +108,10 @@ HWY_INLINE void store_gradient_sums(const PairData& data, const GradientSums& fl
   store_records({wall.x, wall.y, wall.z, wall_rate}, wall_out + i);
 }
 
-/// The correction ends where walls make up this share of the density.
+/// The correction ends where steep walls make up this share of the density.
 constexpr float kWallShare = 0.1F;
 
-/// The inverse of M blended into the unit matrix where M is nearly singular and at walls. Weight as in
+/// The inverse of M blended into the unit matrix where M is nearly singular and at steep walls. Weight as in
 /// compute_corrections.
 HWY_INLINE void store_correction(const Symmetric& m, FloatV walls, Float4* first, Float4* second) {
   const FloatTag d;
@@ -132,6 +132,13 @@ HWY_INLINE void store_correction(const Symmetric& m, FloatV walls, Float4* first
                  hn::MulAdd(cyy, factor, rest)},
                 first);
   store_records({hn::Mul(cyz, factor), hn::MulAdd(czz, factor, rest), w, zero}, second);
+}
+
+/// How steep the walls are that push along g: 0 over a level floor, 1 at an upright wall.
+HWY_INLINE FloatV steepness(const Vec3& g) {
+  const FloatTag d;
+  const FloatV across = hn::MulAdd(g.x, g.x, hn::Mul(g.y, g.y));
+  return hn::Div(across, hn::Add(hn::MulAdd(g.z, g.z, across), hn::Set(d, 1e-20F)));
 }
 
 /// M -= scale x g^T, which is symmetric because g is along x.
@@ -172,7 +179,7 @@ HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_grou
         sums.squares = dot(g, g, sums.squares);
         if constexpr (kMoments) add_moments(pair, g, inverse_spacing, moments);
       }
-      FloatV walls_density = zero, rate = zero;
+      FloatV wall_density = zero, rate = zero;
       Vec3 wall_sum = zero3();
       const NeighborList::SlotRange walls = data.boundary->groups[group];
       for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
@@ -180,7 +187,7 @@ HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_grou
         const Vec4 other = gather_records(data.walls->position.data(), index);
         const PairGeometry pair = difference(own, other);
         const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
-        walls_density = hn::MulAdd(hn::Mul(kernel.value, scales.wall_value), other.w, walls_density);
+        wall_density = hn::MulAdd(hn::Mul(kernel.value, scales.wall_value), other.w, wall_density);
         const Vec3 g = scaled(pair, hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w));
         add_to(wall_sum, g);
         if constexpr (kMoments) add_moments(pair, g, hn::Set(d, 1.0F), moments);
@@ -189,9 +196,10 @@ HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_grou
           rate = dot({v.x, v.y, v.z}, g, rate);
         }
       }
-      hn::StoreU(hn::MulAdd(weight, scales.value, walls_density), d, delta + i);
+      hn::StoreU(hn::MulAdd(weight, scales.value, wall_density), d, delta + i);
       store_gradient_sums(data, sums, wall_sum, rate, i, sum, wall, alpha);
-      if constexpr (kMoments) store_correction(moments, walls_density, first + i, second + i);
+      if constexpr (kMoments)
+        store_correction(moments, hn::Mul(wall_density, steepness(wall_sum)), first + i, second + i);
     });
 }
 
