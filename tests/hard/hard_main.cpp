@@ -2,6 +2,8 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "hard_tables.hpp"
 
@@ -10,20 +12,28 @@ int main(int argc, char** argv) {
   CLI::App app("Hard cases of the water: step sweeps, deep water, long runs, crowds. Writes NAME.csv and NAME.md.");
   std::string folder = ".", mode = "all";
   int steps = 100000;
+  std::vector<std::string> solvers;
   app.add_option("case", mode, "Which")
       ->check(CLI::IsMember({"sweep", "deep", "long", "crowd", "all"}))
       ->capture_default_str();
   app.add_option("--out", folder, "Folder for the tables (made where missing)")->capture_default_str();
+  app.add_option("--solver", solvers, "Only these solvers (default: all that the case is for)")
+      ->check(CLI::IsMember(pelagos::hard::kSweepSolvers));
   app.add_option("--steps", steps, "Steps of the long runs")->check(CLI::Range(100, 10000000))->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   int failures = 0;
+  const auto chosen = [&](const std::vector<std::string>& usual) { return solvers.empty() ? usual : solvers; };
   const auto wanted = [&](const char* name) { return mode == "all" || mode == name; };
   try {
     std::filesystem::create_directories(folder);
-    if (wanted("sweep")) pelagos::hard::sweep_steps(failures).write(folder, "hard_sweep");
-    if (wanted("deep")) pelagos::hard::deep_water(failures).write(folder, "hard_deep");
+    if (wanted("sweep"))
+      pelagos::hard::sweep_steps(chosen(pelagos::hard::kSweepSolvers), failures).write(folder, "hard_sweep");
+    if (wanted("deep"))
+      pelagos::hard::deep_water(chosen({"hybrid", "dfsph", "corrected"}), failures).write(folder, "hard_deep");
     if (wanted("crowd")) pelagos::hard::crowds(failures).write(folder, "hard_crowd");
-    if (wanted("long")) pelagos::hard::long_runs(steps, failures).write(folder, "hard_long");
+    if (wanted("long"))
+      pelagos::hard::long_runs(chosen({"hybrid", "dfsph", "pbf", "corrected"}), steps, failures)
+          .write(folder, "hard_long");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "pelagos-hard: %s\n", error.what());
     return 2;

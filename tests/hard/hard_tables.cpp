@@ -13,9 +13,6 @@ namespace pelagos::hard {
 
 namespace {
 
-const std::vector<std::string> kAllSolvers = {"hybrid",        "dfsph",        "pbf",         "corrected",
-                                              "hybrid-jacobi", "hybrid-paper", "dfsph-paper", "pbf-paper"};
-
 std::string text(const char* format, double value) {
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, format, value);
@@ -105,10 +102,10 @@ void Table::write(const std::string& folder, const std::string& name) const {
   put(".md", "| ", " | ", " |", true);
 }
 
-Table sweep_steps(int& failures) {
+Table sweep_steps(const std::vector<std::string>& solvers, int& failures) {
   Table table({"solver", "step factor", "CFL", "held", "steps", "mean density error", "largest density error",
                "largest density", "energy rise", "outside", "density iterations", "velocity iterations"});
-  for (const std::string& solver : kAllSolvers) {
+  for (const std::string& solver : solvers) {
     for (const double factor : {0.035, 0.07, 0.105, 0.14, 0.2, 0.28}) table.add(sweep_row(solver, factor, 0.0));
     for (const double cfl : {0.2, 0.4, 0.8, 1.6}) table.add(sweep_row(solver, 0.28, cfl));
     std::vector<std::string> usual = sweep_row(solver, 0.07, 0.4);
@@ -119,10 +116,10 @@ Table sweep_steps(int& failures) {
   return table;
 }
 
-Table deep_water(int& failures) {
+Table deep_water(const std::vector<std::string>& solvers, int& failures) {
   Table table({"solver", "layers", "density iterations", "velocity iterations", "rms speed, m/s", "rms / sqrt(g d)",
                "energy rise", "largest density error", "sound"});
-  for (const std::string solver : {"hybrid", "dfsph", "corrected"})
+  for (const std::string& solver : solvers)
     for (const int layers : {15, 30, 60}) {
       HardWater water(still_column(solver, layers, 1e-4));
       water.settle(100);
@@ -137,11 +134,11 @@ Table deep_water(int& failures) {
   return table;
 }
 
-Table long_runs(int steps, int& failures) {
+Table long_runs(const std::vector<std::string>& solvers, int steps, int& failures) {
   Table table({"case", "solver", "held", "steps", "kinetic energy early, J", "late, J", "rms speed, m/s",
                "drift of the mean height, d", "energy rise", "largest density error", "outside"});
   for (const bool slosh : {false, true})
-    for (const std::string& solver : kSolvers) table.add(long_row(solver, slosh, steps, failures));
+    for (const std::string& solver : solvers) table.add(long_row(solver, slosh, steps, failures));
   return table;
 }
 

@@ -133,9 +133,11 @@ TEST(PairPasses, LatticeSumsMatchTheReference) {
     ASSERT_LT(inside, cube.count);
     ASSERT_LT(top, cube.count);
     EXPECT_NEAR(static_cast<double>(cube.delta[inside]), std::stod(row[4]), 3e-6);
-    EXPECT_NEAR(d * d / static_cast<double>(cube.gradients.alpha[inside]), std::stod(row[5]), 2.0 * kCacheError * std::stod(row[5]));
+    EXPECT_NEAR(d * d / static_cast<double>(cube.gradients.alpha[inside]), std::stod(row[5]),
+                2.0 * kCacheError * std::stod(row[5]));
     EXPECT_NEAR(static_cast<double>(cube.delta[top]), std::stod(row[6]), 3e-6);
-    EXPECT_NEAR(d * d / static_cast<double>(cube.gradients.alpha[top]), std::stod(row[8]), 2.0 * kCacheError * std::stod(row[8]));
+    EXPECT_NEAR(d * d / static_cast<double>(cube.gradients.alpha[top]), std::stod(row[8]),
+                2.0 * kCacheError * std::stod(row[8]));
     ++rows;
   }
   EXPECT_EQ(rows, 5);
