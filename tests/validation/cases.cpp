@@ -7,12 +7,12 @@ const std::vector<Case>& all_cases() {
       {"hydrostatic", "Hydrostatic column",
        "A column 1 m deep stands for 5 s. The pressure of the particles over their height gives a straight line; its "
        "value at the bottom and its slope are compared, the force on a side is summed up from probes along it. The "
-       "means are over the last second. The bottom is a mirror or a wall of samples.",
+       "line is fitted two spacings off bottom and surface, the means are over the last second. The bottom is a mirror or a wall of samples.",
        "Closed form rho g H. A good code reaches 0.2 % at the bottom.", run_hydrostatic},
       {"still_water", "Still water, deep",
        "Water 30 particles deep at d = 1 m starts at rest from the lattice. What moves afterwards is the method's noise: "
        "rms speed from 15 to 30 s.",
-       "0. Plain gradients leave 0.67 m/s at 30 layers.", run_still_water},
+       "0. Hybrid, dfsph and pbf run with the viscosity that they need to stay calm, the default one without any.", run_still_water},
       {"standing_wave", "Standing wave",
        "Half a wavelength between mirrors, as long as deep (k h = pi), released at rest. The amplitude is the surface's "
        "first Fourier mode.",
@@ -22,7 +22,8 @@ const std::vector<Case>& all_cases() {
       {"travelling_wave", "Regular travelling wave",
        "One wavelength in a periodic box, amplitude one spacing, over a mirror. What a long swell loses on its way to "
        "the ship.",
-       "Linear theory, phase with the third-order correction. Peers and plain gradients lose 15 to 27 % a period.",
+       "Linear theory; the start has closed orbits (Gerstner), for which its frequency holds at any height. Peers lose 15 to "
+       "27 % a period; hybrid, dfsph and pbf run with the viscosity that they need to stay calm.",
        run_travelling_wave},
       {"dam_break_front", "Dam break: the front",
        "A column twice as high as wide runs along a frictionless floor. The front is the largest x of the water that "

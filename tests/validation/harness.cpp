@@ -128,7 +128,11 @@ void Session::add(const Subject& subject, const Metric& metric) {
            << cell(metric.reference) << ',' << kind_name(goal.kind) << ',' << (judged ? number(goal.aim) : "") << ','
            << (judged ? number(goal.bound) : "") << ',' << result << '\n'
            << std::flush;
-  failures_ += std::string(result) == "failed" ? 1 : 0;
+  if (std::string(result) != "failed") return;
+  ++failures_;
+  std::fprintf(stderr, "\nvalidate: out of bounds: %s, %s: %s is %g %s, bound %s %g\n", subject.case_name.c_str(),
+               subject.setup.c_str(), metric.name.c_str(), metric.value, metric.unit.c_str(), kind_name(goal.kind),
+               goal.bound);
 }
 
 void Session::add_cost(const Subject& subject, const RunCost& cost) {

@@ -39,7 +39,7 @@ void write_machine(const Options& options) {
   std::strftime(date, sizeof date, "%Y-%m-%d", std::gmtime(&now));
   std::ofstream file(options.out / "machine.txt");
   file << "date: " << date << "\nprocessor: " << machine.processor << "\nthreads: " << options.threads
-       << "\ninstruction set: " << machine.instruction_set << "\nversion: " << version()
+       << "\ninstruction set: " << machine.instruction_set << "\nversion: " << kVersion
        << "\nquick: " << (options.quick ? "yes" : "no") << '\n';
 }
 
@@ -66,7 +66,7 @@ int main_checked(int argc, char** argv) {
   names.emplace_back("all");
   bool list = false;
   CLI::App app{"Runs Pelagos against closed forms and experiments. Exit status 1 if a number is out of bounds."};
-  app.set_version_flag("--version", version());
+  app.set_version_flag("--version", std::string("pelagos-validate ") + kVersion);
   app.add_option("--case", cases, "Case to run, repeatable (default: all)")->check(CLI::IsMember(names));
   app.add_option("--solver", options.solvers, "Solver, repeatable (default: each case's own choice)")
       ->check(CLI::IsMember(solver_names()));

@@ -9,11 +9,6 @@ double LinearWave::period() const { return 2.0 * M_PI / frequency(); }
 double LinearWave::horizontal(double z) const { return std::cosh(wavenumber * z) / std::sinh(wavenumber * depth); }
 double LinearWave::vertical(double z) const { return std::sinh(wavenumber * z) / std::sinh(wavenumber * depth); }
 
-double travelling_frequency_ratio(const LinearWave& wave, double amplitude) {
-  const double steepness = wave.wavenumber * amplitude, t = std::tanh(wave.wavenumber * wave.depth), t2 = t * t;
-  return 1.0 + steepness * steepness * (9.0 - 10.0 * t2 + 9.0 * t2 * t2) / (16.0 * t2 * t2);
-}
-
 double standing_frequency_ratio(const LinearWave& wave, double amplitude) {
   const double steepness = wave.wavenumber * amplitude;
   const double omega = std::sqrt(std::tanh(wave.wavenumber * wave.depth));

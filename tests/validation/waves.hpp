@@ -22,14 +22,13 @@ struct LinearWave {
   [[nodiscard]] double vertical(double z) const;
 };
 
-/// Frequency of a travelling wave of finite height over the linear one, third order (Fenton 1985, with the mean
-/// velocity of a fixed point zero): 1 + (ka)^2 (9 - 10 T^2 + 9 T^4) / (16 T^4), T = tanh(kh).
-[[nodiscard]] double travelling_frequency_ratio(const LinearWave& wave, double amplitude);
-/// The same of a standing wave (Tadjbakhsh and Keller 1960); deep: 1 - (ka)^2 / 8.
+/// Frequency of a standing wave of finite height over the linear one, second order (Tadjbakhsh and Keller 1960); deep:
+/// 1 - (ka)^2 / 8.
 [[nodiscard]] double standing_frequency_ratio(const LinearWave& wave, double amplitude);
 
 /// Moves lattice particles by the wave's displacement at t = 0 and returns the matching velocities (at rest if it
-/// stands).
+/// stands). The particles of a travelling wave then go round in closed orbits without drift: in deep water Gerstner's
+/// exact wave, whose frequency is the linear one at any height.
 [[nodiscard]] std::vector<Float4> start_wave(const LinearWave& wave, double amplitude, bool standing,
                                              std::span<Float4> positions);
 

@@ -40,7 +40,7 @@ void run_still_water(Session& session) {
     bool quick;
     Goal goal;
   };
-  // Bound: three times the aim; plain schemes keep 0.67 m/s at 30 layers.
+  // Bound: three times the aim.
   const Setup setups[] = {{"15 layers", 15, false, at_most(0.05, 0.15)}, {"30 layers", 30, true, at_most(0.05, 0.15)}};
   for (const Setup& setup : setups) {
     if (session.quick() && !setup.quick) continue;

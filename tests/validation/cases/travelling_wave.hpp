@@ -17,7 +17,6 @@ struct TravellingResult {
   double amplitude = 1;        ///< over that at the start
   double loss = 0;             ///< share of the amplitude lost a period, mean
   double phase = 0;            ///< ahead of linear theory, periods a period
-  double expected_phase = 0;   ///< the same for the wave's mean height, third order
   double noise = 0;            ///< rms velocity that is not the wave's over the wave's
 };
 
