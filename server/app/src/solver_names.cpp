@@ -37,7 +37,7 @@ const std::vector<std::string>& solver_names() {
 bool choose_solver(std::string_view name, SolverSettings& solver) {
   for (const Choice& choice : kChoices) {
     if (name != choice.name) continue;
-    solver.kind = choice.kind;
+    if (solver.kind != choice.kind) solver = default_solver(choice.kind);
     solver.method = choice.method;
     return true;
   }

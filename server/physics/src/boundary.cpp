@@ -75,20 +75,6 @@ std::vector<Float4> sample_tank(TaskPool& pool, const Region& tank, const std::a
   return samples;
 }
 
-Float4 tank_normal(const Region& tank, const std::array<Edge, 3>& edges, double spacing, const Float4& sample) {
-  const float c[3] = {sample.x, sample.y, sample.z}, near = 0.01F * static_cast<float>(spacing);
-  float normal[3] = {0, 0, 0};
-  int faces = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (edges[axis] != Edge::kWall) continue;
-    const bool low = std::abs(c[axis] - tank.min[axis]) < near, high = std::abs(c[axis] - tank.max[axis]) < near;
-    if (!low && !high) continue;
-    normal[axis] = low ? 1.0F : -1.0F;
-    ++faces;
-  }
-  return faces == 1 ? Float4{normal[0], normal[1], normal[2], 1.0F} : Float4{};
-}
-
 void assign_boundary_volumes(TaskPool& pool, double support_radius, std::span<Float4> samples) {
   if (samples.empty()) return;
   CellGrid grid(bounds(samples), support_radius);

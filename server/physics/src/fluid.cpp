@@ -36,11 +36,7 @@ void place_tank(TaskPool& pool, FluidState& state) {
   walls.count = state.static_walls = samples.size();
   walls.position.assign(padded_count(walls.count), kFarRecord);
   walls.velocity.assign(padded_count(walls.count), {});
-  walls.normal.assign(padded_count(walls.count), {});
-  for (std::size_t k = 0; k < walls.count; ++k) {
-    walls.position[k] = samples[state.order[k]];
-    walls.normal[k] = tank_normal(q.tank, q.edges, q.spacing, walls.position[k]);
-  }
+  for (std::size_t k = 0; k < walls.count; ++k) walls.position[k] = samples[state.order[k]];
 }
 
 /// The tank and one support radius around it.

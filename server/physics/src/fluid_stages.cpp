@@ -35,16 +35,12 @@ void sort_moving_walls(TaskPool& pool, FluidState& state) {
   walls.count = state.static_walls + moving;
   walls.position.resize(padded_count(walls.count));
   walls.velocity.resize(padded_count(walls.count));
-  walls.normal.resize(padded_count(walls.count));
   for (std::size_t k = 0; k < moving; ++k) {
     walls.position[state.static_walls + k] = state.moving_position[state.order[k]];
     walls.velocity[state.static_walls + k] = state.moving_velocity[state.order[k]];
-    walls.normal[state.static_walls + k] =
-        state.moving_normal.empty() ? Float4{} : state.moving_normal[state.order[k]];
   }
   for (std::size_t k = walls.count; k < walls.position.size(); ++k) walls.position[k] = kFarRecord;
   for (std::size_t k = walls.count; k < walls.velocity.size(); ++k) walls.velocity[k] = {};
-  for (std::size_t k = walls.count; k < walls.normal.size(); ++k) walls.normal[k] = {};
 }
 
 }  // namespace

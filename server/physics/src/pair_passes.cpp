@@ -35,15 +35,6 @@ HWY_INLINE PairGeometry difference(const Vec4& own, const Vec4& other) {
   return {x, y, z, hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)))};
 }
 
-/// The part of a difference along a wall's normal: such a wall is smooth, it pushes along its normal and lets water
-/// slide. All of the difference where the sample has no normal (its w is 0).
-HWY_INLINE PairGeometry along_normal(const PairGeometry& pair, const Vec4& n) {
-  const FloatV height = hn::MulAdd(pair.x, n.x, hn::MulAdd(pair.y, n.y, hn::Mul(pair.z, n.z)));
-  const FloatV rest = hn::Sub(hn::Set(FloatTag(), 1.0F), n.w);
-  return {hn::MulAdd(height, n.x, hn::Mul(rest, pair.x)), hn::MulAdd(height, n.y, hn::Mul(rest, pair.y)),
-          hn::MulAdd(height, n.z, hn::Mul(rest, pair.z)), pair.r_squared};
-}
-
 /// Scales of the cubic spline for pairs of fluid (volume V) and for wall samples (volume in the record).
 struct KernelScales {
   FloatV support, inverse_support, value, gradient_spacing, wall_value, wall_gradient;
@@ -212,13 +203,12 @@ void correction_groups(const PairData& data, std::size_t first_group, std::size_
       FloatV density = hn::Mul(weight, scales.value);
       const NeighborList::SlotRange walls = data.boundary->groups[group];
       for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
-        const std::int32_t* index = data.boundary->slots.data() + s * kLanes + lane;
-        const Vec4 other = gather_records(data.walls->position.data(), index);
+        const Vec4 other =
+            gather_records(data.walls->position.data(), data.boundary->slots.data() + s * kLanes + lane);
         const PairGeometry pair = difference(own, other);
         const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
         density = hn::MulAdd(hn::Mul(kernel.value, scales.wall_value), other.w, density);
-        const PairGeometry seen = along_normal(pair, gather_records(data.walls->normal.data(), index));
-        add_moments(seen, hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w), m);
+        add_moments(pair, hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w), m);
       }
       hn::StoreU(density, d, delta + i);
       store_correction(m, first + i, second + i);
@@ -264,10 +254,7 @@ void corrected_gradient_groups(const PairData& data, std::size_t first_group, st
         const PairGeometry pair = difference(own, other);
         const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
         const FloatV factor = hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w);
-        const Vec4 normal = gather_records(data.walls->normal.data(), index);
-        const Vec3 full = multiply(own_correction, scaled(along_normal(pair, normal), factor));
-        const PairGeometry slide = along_normal({full.x, full.y, full.z, pair.r_squared}, normal);
-        const Vec3 g{slide.x, slide.y, slide.z};
+        const Vec3 g = multiply(own_correction, scaled(pair, factor));
         add_to(wall_sum, g);
         if (data.walls_move) {
           const Vec4 v = gather_records(data.walls->velocity.data(), index);

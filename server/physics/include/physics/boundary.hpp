@@ -18,10 +18,6 @@ namespace pelagos {
 [[nodiscard]] std::vector<Float4> sample_tank(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges,
                                               double spacing, double support_radius);
 
-/// The normal (into the tank, w = 1) of a sample on one of the tank's walled faces; zero for one on an edge or corner.
-[[nodiscard]] Float4 tank_normal(const Region& tank, const std::array<Edge, 3>& edges, double spacing,
-                                 const Float4& sample);
-
 /// Volumes of boundary samples, V_b = 1 / sum_b' W_bb' over the samples of the same body (Akinci et al. 2012, eq. 4, in
 /// volume form); written to w.
 void assign_boundary_volumes(TaskPool& pool, double support_radius, std::span<Float4> samples);

@@ -48,7 +48,6 @@ struct FluidState {
   BoundaryParticles walls;       ///< static samples first (cell order), moving ones after them (cell order)
   std::size_t static_walls = 0;  ///< how many of `walls` never move
   std::vector<Float4> moving_position, moving_velocity;  ///< as placed by whoever moves the bodies; V_b in w
-  std::vector<Float4> moving_normal;  ///< as BoundaryParticles::normal; may be empty
   double last_dt = 0.0;            ///< s; 0 before the first step
   bool gradients_present = false;  ///< lists and gradients belong to the present positions (dfsph needs them)
 

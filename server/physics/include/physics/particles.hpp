@@ -31,7 +31,6 @@ struct BoundaryParticles {
   std::size_t count = 0;
   std::vector<Float4> position;  ///< x, y, z in m; w = V_b in m^3
   std::vector<Float4> velocity;  ///< m/s
-  std::vector<Float4> normal;    ///< unit vector out of the wall in x, y, z and w = 1; all 0 where it has none (edges)
 };
 
 /// Lanes of a group: 16 consecutive particles are worked on together.

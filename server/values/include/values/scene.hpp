@@ -59,12 +59,23 @@ struct ConstraintSettings {
 struct SolverSettings {
   SolverKind kind = SolverKind::kCorrected;
   PressureMethod method = PressureMethod::kConjugateGradient;
-  ConstraintSettings density;                   ///< corrected: the repair of positions
+  ConstraintSettings density{3e-4, 0, 100};     ///< corrected: the repair of positions
   ConstraintSettings divergence{3e-4, 2, 100};  ///< corrected: the velocity solve
   double relaxation = 0.5;   ///< damping of the Jacobi methods, 0 to 1
   double warm_start = 1.0;   ///< share of the last pressure that the conjugate gradients start from, 0 to 1
   double filter = 3.0;       ///< corrected: strength of the velocity filter, no unit
 };
+
+/// The settings of a solver where a scene says nothing else. The corrected scheme repairs positions only when it must,
+/// and always takes two iterations for the velocity: with one, waves lose 2 % a period in the long run instead of 0.2 %.
+[[nodiscard]] inline SolverSettings default_solver(SolverKind kind) {
+  SolverSettings solver;
+  solver.kind = kind;
+  if (kind == SolverKind::kCorrected) return solver;
+  solver.density.min_iterations = 2;
+  solver.divergence.min_iterations = 1;
+  return solver;
+}
 
 /// m^2/s, for a particle spacing in m: none where the solver filters the particles' noise itself, else
 /// 0.01 (d / 0.05 m)^1.5, the least that keeps them calm; far more than real water's 1e-6.
