@@ -34,7 +34,7 @@ constexpr Setup kSetups[] = {
 /// Means over the last second.
 struct Means {
   LineFit profile;  ///< pressure over height, all particles but those within two spacings of surface and bottom
-  double lowest = 0;  ///< Pa, of the particles within one spacing of the bottom
+  std::vector<LineFit> layers;  ///< the same by layers of one spacing from the bottom
   double kinetic = 0, level = 0, force = 0;
   int samples = 0;
 };
@@ -54,32 +54,24 @@ class Column {
   void sample(Means& means) {
     pressure_.resize(run_.state().particles.count);
     compute_pressure(run_.state(), pressure_);
-    LineFit lowest;
+    means.layers.resize(static_cast<std::size_t>(std::lround(kDepth / d_)));
     for (std::size_t i = 0; i < pressure_.size(); ++i) {
       const double height = static_cast<double>(run_.state().particles.position[i].z) - bottom_;
-      if (height < kDepth - 2.0 * d_ && height > 2.0 * d_)
-        means.profile.add(height, static_cast<double>(pressure_[i]));
-      if (height < d_) lowest.add(height, static_cast<double>(pressure_[i]));
+      const auto pressure = static_cast<double>(pressure_[i]);
+      if (height < kDepth - 2.0 * d_ && height > 2.0 * d_) means.profile.add(height, pressure);
+      const double layer = std::clamp(height / d_, 0.0, static_cast<double>(means.layers.size()) - 1.0);
+      means.layers[static_cast<std::size_t>(layer)].add(height, pressure);
     }
-    means.lowest += lowest.mean();
     means.kinetic += run_.last().kinetic_energy;
     means.level += surface_level(run_.state()) - bottom_;
     means.force += side_force();
     ++means.samples;
   }
 
-  /// Mean pressure and depth of each layer of one spacing, now.
-  void write_profile(Series series) {
-    const auto layers = static_cast<std::size_t>(std::lround(kDepth / d_));
-    std::vector<double> sum(layers), count(layers);
-    for (std::size_t i = 0; i < pressure_.size(); ++i) {
-      const double height = static_cast<double>(run_.state().particles.position[i].z) - bottom_;
-      const auto k = static_cast<std::size_t>(std::clamp(height / d_, 0.0, static_cast<double>(layers) - 1.0));
-      sum[k] += static_cast<double>(pressure_[i]);
-      count[k] += 1.0;
-    }
-    for (std::size_t k = 0; k < layers; ++k)
-      series.add({(static_cast<double>(k) + 0.5) * d_ / kDepth, sum[k] / std::max(count[k], 1.0) / weight()});
+  /// Mean pressure of each layer of one spacing over the samples.
+  void write_profile(const Means& means, Series series) const {
+    for (std::size_t k = 0; k < means.layers.size(); ++k)
+      series.add({(static_cast<double>(k) + 0.5) * d_ / kDepth, means.layers[k].mean() / weight()});
   }
 
   /// rho g H, Pa.
@@ -123,14 +115,14 @@ void run_one(Session& session, const Setup& setup, const Subject& subject) {
   session.add(subject, {"force on the side error", 100.0 * (means.force / n / (0.5 * weight * kDepth) - 1.0), "%",
                         "rho g H^2 / 2", setup.sampled ? Goal{} : kSide});
   session.add(subject, {"pressure of the lowest layer error",
-                        100.0 * (means.lowest / n / (weight * (1.0 - 0.5 * column.spacing() / kDepth)) - 1.0), "%",
+                        100.0 * (means.layers[0].mean() / (weight * (1.0 - 0.5 * column.spacing() / kDepth)) - 1.0), "%",
                         "rho g (H - d/2)"});
   session.add(subject, {"surface level error", (means.level / n - kDepth) / column.spacing(), "d", "H",
                         at_most(0.25, 0.5)});
   session.add(subject, {"kinetic energy left after 5 s", means.kinetic / n / column.energy_scale(), "m g H", "0",
                         at_most(1e-5, 1e-3)});
   session.add_cost(subject, column.run().cost());
-  column.write_profile(session.series(subject, "profile", "height,pressure"));
+  column.write_profile(means, session.series(subject, "profile", "height,pressure"));
 }
 
 }  // namespace

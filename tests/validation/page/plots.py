@@ -32,7 +32,7 @@ def hydrostatic(results, folder):
     axes[0][0].set_ylabel("height / H")
     axes[0][0].legend()
     return [(save(figure, folder, "hydrostatic"),
-             "Mean pressure of each layer of particles at the end. A wall of samples makes its first layer carry more.")]
+             "Mean pressure of each layer of particles over the last second. A wall of samples makes its first layer carry more.")]
 
 
 def still_water(results, folder):
@@ -41,7 +41,8 @@ def still_water(results, folder):
     for axis, setup in zip(axes[0], setups):
         for solver in results.solvers("still_water", setup):
             series = results.series("still_water", "speed", setup, solver)
-            axis.plot(series["t"], series["rms_speed"], color=colour(solver), label=solver)
+            axis.plot(series["t"], series["rms_speed"], color=colour(solver), label=solver,
+                      linewidth=1.8 if solver == DEFAULT_SOLVER else 0.7, zorder=3 if solver == DEFAULT_SOLVER else 2)
         axis.axhline(0.05, color=EXPERIMENT, linewidth=0.8, linestyle=":", label="aim")
         axis.set(title=setup, xlabel="t (s)", ylim=(0, None))
     axes[0][0].set_ylabel("rms speed (m/s)")
@@ -67,14 +68,15 @@ def standing_wave(results, folder):
         axes[0][0].plot(t, peaks, ".-", color=shade(k, len(setups)), label=setup.replace(";", ","))
     axes[0][0].axhline(0.95, color=EXPERIMENT, linewidth=0.8, linestyle=":", label="aim at 8.6 periods")
     axes[0][0].plot([8.6], [0.86], "x", color=EXPERIMENT, label="best peer, h/d 50")
-    axes[0][0].set(title=f"peaks, {DEFAULT_SOLVER}", xlabel="periods", ylabel="amplitude / first", ylim=(0.7, 1.05))
+    axes[0][0].set(title=f"peaks, {DEFAULT_SOLVER}", xlabel="periods", ylabel="amplitude / first",
+                   ylim=(min(0.7, min(peaks) - 0.05), 1.05))
     setup = finest_shared(results, "standing_wave")
     for solver in results.solvers("standing_wave", setup):
         series = results.series("standing_wave", "surface", setup, solver)
         axes[0][1].plot(series["periods"], series["eta"], color=colour(solver), label=solver, linewidth=1)
     axes[0][1].set(title="surface, " + setup.replace(";", ","), xlabel="periods")
-    for axis in axes[0]:
-        axis.legend(loc="lower left")
+    axes[0][0].legend(loc="lower left")
+    axes[0][1].legend(loc="lower right", frameon=True, framealpha=0.9, ncols=2)
     return [(save(figure, folder, "standing_wave"), "Amplitude of the standing wave; right, every solver's surface.")]
 
 
