@@ -96,7 +96,6 @@ void run_standing_wave(Session& session) {
       {"a/h 0.1, h/d 25", 25, 0.1, true, true, at_most(0.5, 1.5), at_least(0.95, 0.80)},
       {"a/h 0.1, h/d 50", 50, 0.1, false, true, at_most(0.5, 1.5), at_least(0.95, 0.86)},
       {"a/h 0.02, h/d 50", 50, 0.02, false, false, at_most(0.5, 1.5), Goal{}},
-      {"a/h 0.1, h/d 100", 100, 0.1, false, false, at_most(0.5, 1.5), at_least(0.95, 0.86)},
   };
   for (const Setup& setup : setups) {
     if (session.quick() && !setup.quick) continue;
