@@ -101,7 +101,8 @@ void Session::attempt(const Subject& subject, const std::function<void()>& body)
     body();
   } catch (const std::runtime_error& error) {
     const bool ours = subject.solver == kDefaultSolver;
-    summary_ << lead(subject) << ",run,nan,," << cell(error.what()) << ",,,," << (ours ? "failed" : "broke down") << '\n'
+    summary_ << lead(subject) << ",run,nan,," << cell(error.what()) << ",,,," << (ours ? "failed" : "broke down")
+             << '\n'
              << std::flush;
     failures_ += ours ? 1 : 0;
     std::fprintf(stderr, "\nvalidate: %s, %s, %s: %s\n", subject.case_name.c_str(), subject.setup.c_str(),
@@ -137,9 +138,9 @@ void Session::add(const Subject& subject, const Metric& metric) {
 
 void Session::add_cost(const Subject& subject, const RunCost& cost) {
   runs_ << lead(subject) << ',' << cost.particles << ',' << cost.steps << ',' << number(cost.simulated_s) << ','
-        << number(cost.wall_s) << ',' << number(cost.density_iterations) << ',' << number(cost.velocity_iterations) << ','
-        << number(cost.density_error) << ',' << number(cost.density_error_peak) << ',' << number(cost.largest_density)
-        << ',' << cost.unconverged_steps << '\n'
+        << number(cost.wall_s) << ',' << number(cost.density_iterations) << ',' << number(cost.velocity_iterations)
+        << ',' << number(cost.density_error) << ',' << number(cost.density_error_peak) << ','
+        << number(cost.largest_density) << ',' << cost.unconverged_steps << '\n'
         << std::flush;
 }
 

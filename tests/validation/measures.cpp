@@ -129,14 +129,15 @@ double hull_area(std::span<const Float4> positions) {
   double area = 0.0;
   for (std::size_t k = 0; k < hull.size(); ++k) {
     const Float4 &a = hull[k], &b = hull[(k + 1) % hull.size()];
-    area += 0.5 * (static_cast<double>(a.x) * static_cast<double>(b.z) - static_cast<double>(b.x) * static_cast<double>(a.z));
+    area += 0.5 *
+            (static_cast<double>(a.x) * static_cast<double>(b.z) - static_cast<double>(b.x) * static_cast<double>(a.z));
   }
   return area;
 }
 
 double covered_area(std::span<const Float4> positions, double spacing) {
-  constexpr double kCells = 10.0;   // a spacing
-  constexpr double kRadius = 7.5;   // in cells
+  constexpr double kCells = 10.0;  // a spacing
+  constexpr double kRadius = 7.5;  // in cells
   std::vector<std::uint64_t> covered;
   for (const Float4& p : positions) {
     const double x = static_cast<double>(p.x) / spacing * kCells, z = static_cast<double>(p.z) / spacing * kCells;

@@ -19,7 +19,8 @@ void add_block(FluidState& state, int nx, int nz, float x, float z) {
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < 4; ++j)
       for (int i = 0; i < nx; ++i)
-        all.push_back({x + static_cast<float>(i) + 0.5F, static_cast<float>(j) + 0.5F, z + static_cast<float>(k) + 0.5F, 0});
+        all.push_back(
+            {x + static_cast<float>(i) + 0.5F, static_cast<float>(j) + 0.5F, z + static_cast<float>(k) + 0.5F, 0});
   state.particles.count = all.size();
 }
 
@@ -33,8 +34,8 @@ FluidState empty_state() {
 TEST(Measures, FrontIsThatOfTheWaterThatHangsTogether) {
   FluidState state = empty_state();
   add_block(state, 10, 5, 0, 0);
-  add_block(state, 3, 1, 10, 0);   // a tongue
-  add_block(state, 2, 2, 15, 0);   // drops ahead of it, two empty cells away
+  add_block(state, 3, 1, 10, 0);                  // a tongue
+  add_block(state, 2, 2, 15, 0);                  // drops ahead of it, two empty cells away
   EXPECT_DOUBLE_EQ(front_position(state), 13.0);  // the last particle stands at 12.5
 }
 
@@ -95,7 +96,8 @@ class Columns : public ::testing::Test {
  protected:
   void write(const std::string& text) { std::ofstream(file_) << text; }
   void TearDown() override { std::filesystem::remove(file_); }
-  std::string file_ = testing::TempDir() + "pelagos_columns_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::string file_ =
+      testing::TempDir() + "pelagos_columns_" + testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(Columns, SkipsCommentsAndNames) {

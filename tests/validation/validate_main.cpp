@@ -28,8 +28,7 @@ void list_cases() {
 /// Names, titles and texts of the cases, one file each way: what the page is made from besides the numbers.
 void write_cases(const Options& options) {
   std::ofstream file(options.out / "cases.txt");
-  for (const Case& c : all_cases())
-    file << c.name << '\n' << c.title << '\n' << c.what << '\n' << c.against << "\n\n";
+  for (const Case& c : all_cases()) file << c.name << '\n' << c.title << '\n' << c.what << '\n' << c.against << "\n\n";
 }
 
 void write_machine(const Options& options) {

@@ -12,7 +12,8 @@ double LinearWave::vertical(double z) const { return std::sinh(wavenumber * z) /
 double standing_frequency_ratio(const LinearWave& wave, double amplitude) {
   const double steepness = wave.wavenumber * amplitude;
   const double omega = std::sqrt(std::tanh(wave.wavenumber * wave.depth));
-  const double second = (9.0 * std::pow(omega, -7) - 12.0 * std::pow(omega, -3) - 3.0 * omega - 2.0 * std::pow(omega, 5)) / 32.0;
+  const double second =
+      (9.0 * std::pow(omega, -7) - 12.0 * std::pow(omega, -3) - 3.0 * omega - 2.0 * std::pow(omega, 5)) / 32.0;
   return 1.0 + 0.5 * steepness * steepness * second / omega;
 }
 
@@ -25,8 +26,8 @@ std::vector<Float4> start_wave(const LinearWave& wave, double amplitude, bool st
     const double c = wave.horizontal(z), s = wave.vertical(z);
     p.x = static_cast<float>(x - amplitude * c * std::sin(k * x));
     p.z = static_cast<float>(z + amplitude * s * std::cos(k * x));
-    velocities.push_back({static_cast<float>(speed * c * std::cos(k * x)), 0.0F,
-                          static_cast<float>(speed * s * std::sin(k * x)), 0.0F});
+    velocities.push_back(
+        {static_cast<float>(speed * c * std::cos(k * x)), 0.0F, static_cast<float>(speed * s * std::sin(k * x)), 0.0F});
   }
   return velocities;
 }

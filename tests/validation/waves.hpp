@@ -32,8 +32,8 @@ struct LinearWave {
 [[nodiscard]] std::vector<Float4> start_wave(const LinearWave& wave, double amplitude, bool standing,
                                              std::span<Float4> positions);
 
-/// Fourier amplitude of the surface, m: eta_k = 2 / (length width) sum V exp(-i k x) over all particles. The volume over
-/// a stretch of x is the height of the water there, so this is the surface's own mode, without finding a surface.
+/// Fourier amplitude of the surface, m: eta_k = 2 / (length width) sum V exp(-i k x) over all particles. The volume
+/// over a stretch of x is the height of the water there, so this is the surface's own mode, without finding a surface.
 /// `length` and `width` are those of the tank; k fits it, or half of it between mirrors.
 [[nodiscard]] std::complex<double> surface_mode(const FluidParticles& particles, double volume, double wavenumber,
                                                 double length, double width);

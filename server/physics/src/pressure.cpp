@@ -17,8 +17,7 @@ void compute_pressure(const FluidState& state, std::span<float> pressure) {
   if (state.parameters.scheme == Scheme::kCorrected)
     for (std::size_t i = 0; i < p.count; ++i) pressure[i] = factor * state.work.pressure[i];
   else
-    for (std::size_t i = 0; i < p.count; ++i)
-      pressure[i] = factor * (p.density_pressure[i] + p.divergence_pressure[i]);
+    for (std::size_t i = 0; i < p.count; ++i) pressure[i] = factor * (p.density_pressure[i] + p.divergence_pressure[i]);
 }
 
 }  // namespace pelagos

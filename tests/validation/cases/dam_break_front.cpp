@@ -42,8 +42,8 @@ struct Distance {
 };
 
 /// Of a curve from measured points, over those that both cover.
-Distance distance_to(const Curve& front, const std::vector<double>& time, const std::vector<double>& reach, double shift,
-                     double largest) {
+Distance distance_to(const Curve& front, const std::vector<double>& time, const std::vector<double>& reach,
+                     double shift, double largest) {
   Distance distance;
   for (std::size_t k = 0; k < time.size(); ++k) {
     const double t = time[k] - shift;

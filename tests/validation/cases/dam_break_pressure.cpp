@@ -85,8 +85,8 @@ void compare_pressure(Session& session, const Subject& subject, std::size_t s, c
   session.add(subject, {name + " peak", peak, "rho g H", band});
   // 0 inside the band; bound: as far outside as the band is wide.
   const double outside = std::max({0.0, low - peak, peak - high}) / (high - low);
-  session.add(subject, {name + " peak outside the band", outside, "band widths", "0",
-                        judged ? at_most(0.0, 1.0) : Goal{}});
+  session.add(subject,
+              {name + " peak outside the band", outside, "band widths", "0", judged ? at_most(0.0, 1.0) : Goal{}});
   double squares = 0.0;
   int points = 0;
   for (std::size_t k = 0; k < columns[0].size(); ++k) {
@@ -100,8 +100,7 @@ void compare_pressure(Session& session, const Subject& subject, std::size_t s, c
 }
 
 void compare_front(Session& session, const Subject& subject, const Curve& front) {
-  const auto columns =
-      read_columns(data_file("dambreak_front_lobovsky_2014_fig12.csv"), "Lobovsky2014_H300");
+  const auto columns = read_columns(data_file("dambreak_front_lobovsky_2014_fig12.csv"), "Lobovsky2014_H300");
   Curve measured;
   double squares = 0.0;
   int points = 0;
@@ -115,8 +114,8 @@ void compare_front(Session& session, const Subject& subject, const Curve& front)
                         at_most(0.16, 0.32)});
   // The wall is reached where a spacing is left.
   const double level = kWallReach - subject.spacing / kHeight;
-  session.add(subject, {"arrival at the wall error", 100.0 * (front.reaches(level) / measured.reaches(level) - 1.0), "%",
-                        "Lobovsky et al. 2014; peers -6.3 %", at_most(6.3, 15.0)});
+  session.add(subject, {"arrival at the wall error", 100.0 * (front.reaches(level) / measured.reaches(level) - 1.0),
+                        "%", "Lobovsky et al. 2014; peers -6.3 %", at_most(6.3, 15.0)});
 }
 
 }  // namespace

@@ -10,9 +10,9 @@ namespace pelagos::validation {
 
 namespace {
 
-constexpr double kDepth = 1.0;                        // m
-constexpr double kEnd = 5.0, kAverageFrom = 4.0;      // s
-constexpr int kColumns = 20, kSlice = 4;              // spacings along x (between mirrors), along y (periodic)
+constexpr double kDepth = 1.0;                    // m
+constexpr double kEnd = 5.0, kAverageFrom = 4.0;  // s
+constexpr int kColumns = 20, kSlice = 4;          // spacings along x (between mirrors), along y (periodic)
 
 struct Setup {
   const char* name;
@@ -21,8 +21,8 @@ struct Setup {
   bool quick;
 };
 
-// Aim: what a good code reaches. The bound of the bottom's pressure is half a spacing of water at 20 layers, that of the
-// side's force what one layer too heavy by half adds there.
+// Aim: what a good code reaches. The bound of the bottom's pressure is half a spacing of water at 20 layers, that of
+// the side's force what one layer too heavy by half adds there.
 constexpr Goal kBottom{Goal::Kind::kAtMost, 0.2, 2.5}, kSide{Goal::Kind::kAtMost, 1.0, 5.0};
 constexpr Setup kSetups[] = {
     {"H/d 20, mirror", 20, false, true},
@@ -108,17 +108,17 @@ void run_one(Session& session, const Setup& setup, const Subject& subject) {
     if (steps++ % 5 == 0) column.sample(means);
   });
   const double weight = column.weight(), n = means.samples;
-  session.add(subject, {"bottom pressure error", 100.0 * (means.profile.at(0.0) / weight - 1.0), "%", "rho g H",
-                        kBottom});
-  session.add(subject, {"pressure gradient error", 100.0 * (means.profile.slope() / (-weight / kDepth) - 1.0), "%",
-                        "rho g"});
+  session.add(subject,
+              {"bottom pressure error", 100.0 * (means.profile.at(0.0) / weight - 1.0), "%", "rho g H", kBottom});
+  session.add(subject,
+              {"pressure gradient error", 100.0 * (means.profile.slope() / (-weight / kDepth) - 1.0), "%", "rho g"});
   session.add(subject, {"force on the side error", 100.0 * (means.force / n / (0.5 * weight * kDepth) - 1.0), "%",
                         "rho g H^2 / 2", setup.sampled ? Goal{} : kSide});
   session.add(subject, {"pressure of the lowest layer error",
-                        100.0 * (means.layers[0].mean() / (weight * (1.0 - 0.5 * column.spacing() / kDepth)) - 1.0), "%",
-                        "rho g (H - d/2)"});
-  session.add(subject, {"surface level error", (means.level / n - kDepth) / column.spacing(), "d", "H",
-                        at_most(0.25, 0.5)});
+                        100.0 * (means.layers[0].mean() / (weight * (1.0 - 0.5 * column.spacing() / kDepth)) - 1.0),
+                        "%", "rho g (H - d/2)"});
+  session.add(subject,
+              {"surface level error", (means.level / n - kDepth) / column.spacing(), "d", "H", at_most(0.25, 0.5)});
   session.add(subject, {"kinetic energy left after 5 s", means.kinetic / n / column.energy_scale(), "m g H", "0",
                         at_most(1e-5, 1e-3)});
   session.add_cost(subject, column.run().cost());

@@ -9,10 +9,10 @@ namespace pelagos::validation {
 namespace {
 
 // The paper's section VI.A with L = 1 m; the same numbers as scenes/dam_break.scene.
-constexpr double kSpacing = 0.05;                         // m
+constexpr double kSpacing = 0.05;  // m
 constexpr int kSettleSteps = 50;
-constexpr double kTolerance = 1e-4;                       // the paper gives none
-constexpr double kSnapshots[] = {0.4, 0.8, 1.6, 3.2};     // s
+constexpr double kTolerance = 1e-4;                    // the paper gives none
+constexpr double kSnapshots[] = {0.4, 0.8, 1.6, 3.2};  // s
 
 struct Size {
   const char* name;
@@ -48,8 +48,7 @@ struct Sums {
 
 void run_one(Session& session, const Size& size, const Subject& subject) {
   const FluidParameters parameters = tank_parameters(size.tank, kSpacing, {Edge::kWall, Edge::kWall, Edge::kWall});
-  WaterRun run(session.options().threads, parameters, {subject.solver, kTolerance},
-               fill_block(parameters, size.block));
+  WaterRun run(session.options().threads, parameters, {subject.solver, kTolerance}, fill_block(parameters, size.block));
   run.settle(kSettleSteps);
   const double rho0 = parameters.rest_density;
   Series series = session.series(subject, "steps",
@@ -74,7 +73,8 @@ void run_one(Session& session, const Size& size, const Subject& subject) {
       sums.velocity_ms += solver_ms(r.times, Stage::kDivergenceSolve);
       series.add({static_cast<double>(++step), run.time(), static_cast<double>(r.density.iterations),
                   static_cast<double>(r.divergence.iterations), rho0 * mean, rho0 * r.largest_density,
-                  solver_ms(r.times, Stage::kDensitySolve), solver_ms(r.times, Stage::kDivergenceSolve), energy / first});
+                  solver_ms(r.times, Stage::kDensitySolve), solver_ms(r.times, Stage::kDivergenceSolve),
+                  energy / first});
     });
     session.progress(subject, static_cast<double>(step) / size.steps);
     if (snapshot < std::size(kSnapshots) && run.time() >= kSnapshots[snapshot] - 1e-9)
@@ -82,13 +82,15 @@ void run_one(Session& session, const Size& size, const Subject& subject) {
   }
   const RunCost cost = run.cost();
   session.add(subject, {"density iterations a step", cost.density_iterations, "",
-                        subject.solver == "hybrid-paper" ? "paper 9.3" : subject.solver == "dfsph-paper" ? "paper 12.0" : "-"});
+                        subject.solver == "hybrid-paper"  ? "paper 9.3"
+                        : subject.solver == "dfsph-paper" ? "paper 12.0"
+                                                          : "-"});
   session.add(subject, {"divergence iterations a step", cost.velocity_iterations, "", "paper 1.0 (hybrid; DFSPH)"});
   session.add(subject, {"mean density", rho0 * sums.mean / step, "kg/m^3", "-"});
   session.add(subject, {"largest density", rho0 * sums.largest, "kg/m^3", "-", at_most(1.1 * rho0, 1.3 * rho0)});
   session.add(subject, {"density error", 100.0 * cost.density_error, "%", "0", at_most(0.1, 1.0)});
-  session.add(subject, {"energy above its lowest so far", 100.0 * sums.energy_rise, "% of the start", "0",
-                        at_most(1.0, 5.0)});
+  session.add(subject,
+              {"energy above its lowest so far", 100.0 * sums.energy_rise, "% of the start", "0", at_most(1.0, 5.0)});
   session.add(subject, {"time of the density solve", sums.density_ms / step, "ms a step", "-"});
   session.add(subject, {"time of the divergence solve", sums.velocity_ms / step, "ms a step", "-"});
   session.add_cost(subject, cost);

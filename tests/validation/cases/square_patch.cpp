@@ -12,17 +12,16 @@ constexpr double kLength = 1.0;  // m
 /// 1/s: the speed of the corners is then about sqrt(g L), so that what scales with sqrt(g / d) in the solver stands to
 /// the flow as it does in water under gravity.
 const double kRotation = std::sqrt(9.81 / kLength);
-constexpr int kSlice = 4;                        // spacings
-constexpr double kTank = 12.0, kMiddle = 6.0;    // m: nothing reaches its faces
-constexpr double kEnd = 8.0;                     // of w t
+constexpr int kSlice = 4;                      // spacings
+constexpr double kTank = 12.0, kMiddle = 6.0;  // m: nothing reaches its faces
+constexpr double kEnd = 8.0;                   // of w t
 
 Start make_patch(const FluidParameters& parameters) {
   const double d = parameters.spacing;
   Start start = fill_block(parameters, {kLength, kSlice * d, kLength});
   for (Float4& p : start.positions) {
     const double x = static_cast<double>(p.x) - 0.5 * kLength, z = static_cast<double>(p.z) - 0.5 * kLength;
-    start.velocities.push_back(
-        {static_cast<float>(kRotation * z), 0.0F, static_cast<float>(-kRotation * x), 0.0F});
+    start.velocities.push_back({static_cast<float>(kRotation * z), 0.0F, static_cast<float>(-kRotation * x), 0.0F});
     p.x = static_cast<float>(kMiddle + x);
     p.z = static_cast<float>(kMiddle + z);
   }
@@ -85,8 +84,8 @@ void run_one(Session& session, const Subject& subject) {
   WaterRun run(session.options().threads, parameters, {subject.solver}, make_patch(parameters));
   const double closed = parameters.rest_density * kRotation * kRotation * std::pow(kLength, 4) / 12.0 * kSlice * d;
   const Level first = measure(run);
-  session.add(subject, {"kinetic energy at the start error", 100.0 * (first.energy / closed - 1.0), "%",
-                        "rho w^2 L^4 / 12"});
+  session.add(subject,
+              {"kinetic energy at the start error", 100.0 * (first.energy / closed - 1.0), "%", "rho w^2 L^4 / 12"});
   Series series = session.series(subject, "series", "wt,energy,momentum,hull,covered");
   for (int k = 0; k <= 40; ++k) {
     const double turn = kEnd * k / 40;

@@ -20,7 +20,7 @@ struct Setup {
   int layers;
   double amplitude;  ///< m
   bool quick;
-  bool others;        ///< other solvers than the default one as well
+  bool others;  ///< other solvers than the default one as well
   Goal period, left;
 };
 
@@ -69,8 +69,7 @@ void run_one(Session& session, const Setup& setup, const Subject& subject) {
   Curve curve;
   Series series = session.series(subject, "surface", "periods,eta");
   const auto sample = [&] {
-    const double eta =
-        surface_mode(run.state().particles, parameters.volume(), wave.wavenumber, kLength, width).real();
+    const double eta = surface_mode(run.state().particles, parameters.volume(), wave.wavenumber, kLength, width).real();
     envelope.add(run.time(), eta);
     curve.add(run.time(), eta);
     series.add({run.time() / period, eta / curve.value.front()});

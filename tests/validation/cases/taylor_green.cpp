@@ -82,9 +82,8 @@ void run_taylor_green(Session& session) {
     bool quick;
     Goal goal;
   };
-  const Setup setups[] = {{"L/d 25", 25, true, {}},
-                          {"L/d 50", 50, true, at_most(2.0, 20.0)},
-                          {"L/d 100", 100, false, at_most(2.0, 20.0)}};
+  const Setup setups[] = {
+      {"L/d 25", 25, true, {}}, {"L/d 50", 50, true, at_most(2.0, 20.0)}, {"L/d 100", 100, false, at_most(2.0, 20.0)}};
   for (const Setup& setup : setups) {
     if (session.quick() && !setup.quick) continue;
     std::vector<std::string> own{"corrected"};

@@ -21,8 +21,7 @@ WaterRun start_travelling(int threads, const TravellingWave& wave, const SolverC
   const FluidParameters parameters = tank_parameters({wave.length, width, 1.5 * wave.depth + 4.0 * wave.amplitude}, d,
                                                      {Edge::kPeriodic, Edge::kPeriodic, Edge::kMirror});
   Start start = fill_block(parameters, {wave.length, width, wave.depth});
-  start.velocities =
-      start_wave(linear_wave(wave, parameters.gravity), wave.amplitude, false, start.positions);
+  start.velocities = start_wave(linear_wave(wave, parameters.gravity), wave.amplitude, false, start.positions);
   return {threads, parameters, solver, start};
 }
 
@@ -73,7 +72,8 @@ const Setup kSetups[] = {
 void add_results(Session& session, const Subject& subject, int periods, const TravellingResult& r, const Goal& goal) {
   const std::string after = " over " + std::to_string(periods) + " periods";
   session.add(subject, {"loss a period" + after, 100.0 * r.loss, "%", "0; peers 15 to 27 %", goal});
-  session.add(subject, {"phase error a period" + after, 100.0 * r.phase, "%", "w^2 = g k tanh(k h)", at_most(1.0, 3.0)});
+  session.add(subject,
+              {"phase error a period" + after, 100.0 * r.phase, "%", "w^2 = g k tanh(k h)", at_most(1.0, 3.0)});
   session.add(subject, {"noise over orbital speed" + after, r.noise, "", "0"});
 }
 

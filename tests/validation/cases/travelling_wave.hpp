@@ -14,10 +14,10 @@ struct TravellingWave {
 };
 
 struct TravellingResult {
-  double amplitude = 1;        ///< over that at the start
-  double loss = 0;             ///< share of the amplitude lost a period, mean
-  double phase = 0;            ///< ahead of linear theory, periods a period
-  double noise = 0;            ///< rms velocity that is not the wave's over the wave's
+  double amplitude = 1;  ///< over that at the start
+  double loss = 0;       ///< share of the amplitude lost a period, mean
+  double phase = 0;      ///< ahead of linear theory, periods a period
+  double noise = 0;      ///< rms velocity that is not the wave's over the wave's
 };
 
 /// Runs for whole periods; `each` is called at the end of every one with the result so far, `moved` after each step

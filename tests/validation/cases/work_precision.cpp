@@ -14,17 +14,19 @@ namespace {
 
 /// One point of the sweeps; the middle one of each is the same.
 struct Knobs {
-  std::string sweep;       ///< which knob was turned
+  std::string sweep;  ///< which knob was turned
   double tolerance = 3e-4;
-  double step = 0.07;      ///< longest time step, sqrt(d/g)
-  double refinement = 1;   ///< spacings of the middle in one of this
+  double step = 0.07;     ///< longest time step, sqrt(d/g)
+  double refinement = 1;  ///< spacings of the middle in one of this
 };
 
 std::vector<Knobs> sweeps(bool quick) {
   if (quick) return {{"tolerance"}, {"tolerance", 1e-3}};
-  return {{"tolerance", 3e-3}, {"tolerance", 1e-3},       {"tolerance"},          {"tolerance", 1e-4},
-          {"step", 3e-4, 0.14}, {"step"},                  {"step", 3e-4, 0.035},
-          {"resolution", 3e-4, 0.07, 0.5}, {"resolution"}, {"resolution", 3e-4, 0.07, 2.0}};
+  return {{"tolerance", 3e-3},   {"tolerance", 1e-3},
+          {"tolerance"},         {"tolerance", 1e-4},
+          {"step", 3e-4, 0.14},  {"step"},
+          {"step", 3e-4, 0.035}, {"resolution", 3e-4, 0.07, 0.5},
+          {"resolution"},        {"resolution", 3e-4, 0.07, 2.0}};
 }
 
 struct Point {
@@ -81,9 +83,7 @@ struct Problem {
   const char* name;
   Point (*run)(Session&, const Knobs&, const Subject&);
 };
-constexpr Problem kProblems[] = {{"wave", run_wave},
-                                 {"column", run_column},
-                                 {"dam break", run_break}};
+constexpr Problem kProblems[] = {{"wave", run_wave}, {"column", run_column}, {"dam break", run_break}};
 
 }  // namespace
 

@@ -67,11 +67,12 @@ def figure_5(results, runs, folder):
     snapshots = [s for s in snapshots if s]
     if not snapshots:
         return None
-    figure, axes = new_figure(len(snapshots), width=9.6, height=2.6)
+    length = 5.0 if "35061" in setup else 2.5  # of the tank
+    figure, axes = new_figure(len(snapshots), width=9.6, height=2.4 if len(snapshots) > 2 else 3.0)
     for axis, snapshot, time in zip(axes[0], snapshots, (0.4, 0.8, 1.6, 3.2)):
         picture = axis.scatter(snapshot["x"], snapshot["z"], c=[1000 * x for x in snapshot["density"]], s=2.5,
                                vmin=500, vmax=1010, cmap="viridis", linewidths=0)
-        axis.set(title=f"t = {time} s", xlim=(0, 5), ylim=(0, 3), aspect="equal", xlabel="x (m)")
+        axis.set(title=f"t = {time} s", xlim=(0, length), ylim=(0, 0.6 * length), aspect="equal", xlabel="x (m)")
         axis.grid(False)
     figure.colorbar(picture, ax=axes[0], label="kg/m³", shrink=0.7)
     density = sorted(1000 * x for snapshot in snapshots for x in snapshot["density"])

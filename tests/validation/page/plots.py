@@ -2,6 +2,8 @@
 
 import os
 
+from matplotlib import ticker
+
 from results import DEFAULT_SOLVER, read_experiment
 from style import EXPERIMENT, colour, new_figure, save, shade
 
@@ -205,10 +207,17 @@ def square_patch(results, folder):
     for key, label, style in (("energy", "energy", "-"), ("momentum", "angular momentum", "--"),
                               ("covered", "covered area", "-."), ("hull", "convex hull", ":")):
         axis.plot(series["wt"], series[key], style, label=label, color=EXPERIMENT if key != "hull" else "#D55E00")
-    axis.set(title="over the start", xlabel="wt", yscale="log", ylim=(0.5, 100))
-    axis.legend()
+    axis.set(title="over the start", xlabel="wt", yscale="log", ylim=(0.5, 1000))
+    axis.legend(loc="upper left")
     return [(save(figure, folder, "square_patch"),
              f"The patch, {setup}; the square is where it began. Nothing pulls it together.")]
+
+
+def plain_ticks(axis):
+    """1, 2, 5, 10, ... in plain numbers on a logarithmic axis."""
+    axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
+    axis.set_major_formatter(ticker.FormatStrFormatter("%g"))
+    axis.set_minor_formatter(ticker.NullFormatter())
 
 
 def work_precision(results, folder):
@@ -223,8 +232,6 @@ def work_precision(results, folder):
             for sweep, (marker, line) in styles.items():
                 points = sorted((float(row["wall_per_simulated"]), abs(float(row[key])) + 1e-6) for row in rows
                                 if row["solver"] == solver and row["sweep"] == sweep)
-                if sweep != "resolution":
-                    points.sort()
                 if not points:
                     continue
                 axis.plot([p[0] for p in points], [p[1] for p in points], marker + line, markersize=4, linewidth=1,
@@ -232,5 +239,8 @@ def work_precision(results, folder):
                           label=f"{solver}" if sweep == "tolerance" else None)
         axis.set(xscale="log", yscale="log", title=title, xlabel="wall s for a simulated s")
         axis.title.set_fontsize(9)
-    axes[0][0].legend(title="● tolerance  □ step  △ resolution", title_fontsize=8)
+        plain_ticks(axis.xaxis)
+        plain_ticks(axis.yaxis)
+    figure.legend(*axes[0][0].get_legend_handles_labels(), loc="outside lower center", ncols=4,
+                  title="● tolerance  □ step  △ resolution", title_fontsize=8)
     return [(save(figure, folder, "work_precision"), "One knob turned at a time. Left and low is good.")]
