@@ -31,11 +31,16 @@ void repair_positions(TaskPool& pool, FluidState& state, StepReport& report) {
   extend_positions(pool, state);
 }
 
-void refresh_gradients(TaskPool& pool, FluidState& state, StepReport& report) {
-  const PairData data = pair_data(state);
-  compute_corrections(pool, data, state.particles.density, state.corrections);
-  compute_corrected_gradients(pool, data, state.corrections, state.gradients);
-  report.pair_passes += 2;
+/// Density, plain gradients and corrections at the positions before the repair; the velocity solve keeps them: the
+/// repair moves particles by hundredths of a spacing.
+void refresh_corrections(TaskPool& pool, FluidState& state, StepReport& report) {
+  compute_corrections(pool, pair_data(state), state.particles.density, state.gradients, state.corrections);
+  ++report.pair_passes;
+}
+
+void correct_gradients(TaskPool& pool, FluidState& state, StepReport& report) {
+  compute_corrected_gradients(pool, pair_data(state), state.corrections, state.gradients);
+  ++report.pair_passes;
 }
 
 void solve_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& report) {
@@ -57,13 +62,14 @@ void solve_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& re
 
 void filter_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& report) {
   const FluidParameters& q = state.parameters;
-  if (!(q.filter > 0.0)) return;
+  state.density_present = q.filter > 0.0;
+  if (!state.density_present) return;
   FluidParticles& p = state.particles;
   const PairData data = pair_data(state);
   extend_velocities(pool, state);
   compute_velocity_gradients(pool, data, state.gradients, p.velocity, state.velocity_gradients);
   state.filter_change.resize(padded_count(p.count));
-  compute_filter(pool, data, state.velocity_gradients, state.filter_change);
+  compute_filter(pool, data, state.velocity_gradients, state.filter_change, p.density);
   report.pair_passes += 2;
   const double rate = q.filter * std::sqrt((q.gravity > 0.0 ? q.gravity : kStandardGravity) / q.spacing);
   const auto factor = static_cast<float>(std::min(dt * rate, kLargestFilterStep));
@@ -84,9 +90,9 @@ void advance_corrected(TaskPool& pool, FluidState& state, double dt, Clock clock
   });
   run_stage(report, clock, Stage::kSort, [&] { sort_particles(pool, state); });
   run_stage(report, clock, Stage::kNeighbors, [&] { search_neighbors(pool, state, report); });
-  run_stage(report, clock, Stage::kDensity, [&] { refresh_density(pool, state, report); });
+  run_stage(report, clock, Stage::kDensity, [&] { refresh_corrections(pool, state, report); });
   run_stage(report, clock, Stage::kDensitySolve, [&] { repair_positions(pool, state, report); });
-  run_stage(report, clock, Stage::kDensityAfter, [&] { refresh_gradients(pool, state, report); });
+  run_stage(report, clock, Stage::kCorrectGradients, [&] { correct_gradients(pool, state, report); });
   run_stage(report, clock, Stage::kDivergenceSolve, [&] { solve_velocity(pool, state, dt, report); });
   run_stage(report, clock, Stage::kFilter, [&] { filter_velocity(pool, state, dt, report); });
 }

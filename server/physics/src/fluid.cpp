@@ -88,14 +88,16 @@ void advance_fluid(TaskPool& pool, FluidState& state, double dt, Clock clock, St
 
 void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report) {
   const FluidParameters& q = state.parameters;
-  if (!(q.viscosity > 0.0)) {
+  if (!(q.viscosity > 0.0) && state.density_present) {
     const Float4 gravity{0.0F, 0.0F, static_cast<float>(-q.gravity), 0.0F};
     for_each_particle(pool, state, [&](std::size_t i) { state.particles.acceleration[i] = gravity; });
     return;
   }
   extend_velocities(pool, state);
   compute_acceleration(pool, pair_data(state), state.particles.velocity, static_cast<float>(q.viscosity),
-                       static_cast<float>(q.gravity), state.particles.acceleration);
+                       static_cast<float>(q.gravity), state.particles.acceleration,
+                       state.density_present ? std::span<float>{} : std::span<float>(state.particles.density));
+  state.density_present = true;
   ++report.pair_passes;
 }
 

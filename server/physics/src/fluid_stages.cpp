@@ -136,6 +136,7 @@ void search_neighbors(TaskPool& pool, FluidState& state, StepReport& report) {
 
 void refresh_density(TaskPool& pool, FluidState& state, StepReport& report) {
   compute_density(pool, pair_data(state), state.particles.density, state.gradients);
+  state.density_present = true;
   ++report.pair_passes;
 }
 

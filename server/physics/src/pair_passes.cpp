@@ -108,48 +108,6 @@ HWY_INLINE void store_gradient_sums(const PairData& data, const GradientSums& fl
   store_records({wall.x, wall.y, wall.z, wall_rate}, wall_out + i);
 }
 
-void density_groups(const PairData& data, std::size_t first_group, std::size_t last_group, float* delta, float* alpha,
-                    Float4* sum, Float4* wall, void* cache_words) {
-  const FloatTag d;
-  auto* cache = static_cast<CachedGradient*>(cache_words);
-  const KernelScales scales = kernel_scales(data);
-  for (std::size_t group = first_group; group < last_group; ++group)
-    for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
-      const Vec4 own = load_records(data.position + i);
-      FloatV weight = hn::Zero(d);
-      GradientSums sums{zero3(), hn::Zero(d)};
-      const NeighborList::SlotRange fluid = data.fluid->groups[group];
-      for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
-        const Vec4 other = gather_records(data.position, data.fluid->slots.data() + s * kLanes + lane);
-        const PairGeometry pair = difference(own, other);
-        const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
-        const Vec3 g = keep_gradient(scaled(pair, hn::Mul(kernel.gradient_factor, scales.gradient_spacing)),
-                                     cache + s * kCacheStride + lane);
-        weight = hn::Add(weight, kernel.value);
-        add_to(sums.sum, g);
-        sums.squares = dot(g, g, sums.squares);
-      }
-      FloatV density = hn::Mul(weight, scales.value), rate = hn::Zero(d);
-      Vec3 wall_sum = zero3();
-      const NeighborList::SlotRange walls = data.boundary->groups[group];
-      for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
-        const std::int32_t* index = data.boundary->slots.data() + s * kLanes + lane;
-        const Vec4 other = gather_records(data.walls->position.data(), index);
-        const PairGeometry pair = difference(own, other);
-        const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
-        density = hn::MulAdd(hn::Mul(kernel.value, scales.wall_value), other.w, density);
-        const Vec3 g = scaled(pair, hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w));
-        add_to(wall_sum, g);
-        if (data.walls_move) {
-          const Vec4 v = gather_records(data.walls->velocity.data(), index);
-          rate = dot({v.x, v.y, v.z}, g, rate);
-        }
-      }
-      hn::StoreU(density, d, delta + i);
-      store_gradient_sums(data, sums, wall_sum, rate, i, sum, wall, alpha);
-    });
-}
-
 /// The inverse of M blended into the unit matrix where M is nearly singular. Weight as in compute_corrections.
 HWY_INLINE void store_correction(const Symmetric& m, Float4* first, Float4* second) {
   const FloatTag d;
@@ -171,52 +129,97 @@ HWY_INLINE void store_correction(const Symmetric& m, Float4* first, Float4* seco
   store_records({hn::Mul(cyz, factor), hn::MulAdd(czz, factor, rest), w, zero}, second);
 }
 
-HWY_INLINE void add_moments(const PairGeometry& pair, FloatV factor, Symmetric& m) {
-  const FloatV fx = hn::Mul(factor, pair.x), fy = hn::Mul(factor, pair.y), fz = hn::Mul(factor, pair.z);
-  m.xx = hn::NegMulAdd(fx, pair.x, m.xx);
-  m.xy = hn::NegMulAdd(fx, pair.y, m.xy);
-  m.xz = hn::NegMulAdd(fx, pair.z, m.xz);
-  m.yy = hn::NegMulAdd(fy, pair.y, m.yy);
-  m.yz = hn::NegMulAdd(fy, pair.z, m.yz);
-  m.zz = hn::NegMulAdd(fz, pair.z, m.zz);
+/// M -= scale x g^T, which is symmetric because g is along x.
+HWY_INLINE void add_moments(const PairGeometry& pair, const Vec3& g, FloatV scale, Symmetric& m) {
+  const FloatV x = hn::Mul(scale, pair.x), y = hn::Mul(scale, pair.y), z = hn::Mul(scale, pair.z);
+  m.xx = hn::NegMulAdd(x, g.x, m.xx);
+  m.xy = hn::NegMulAdd(x, g.y, m.xy);
+  m.xz = hn::NegMulAdd(x, g.z, m.xz);
+  m.yy = hn::NegMulAdd(y, g.y, m.yy);
+  m.yz = hn::NegMulAdd(y, g.z, m.yz);
+  m.zz = hn::NegMulAdd(z, g.z, m.zz);
 }
 
-void correction_groups(const PairData& data, std::size_t first_group, std::size_t last_group, float* delta,
-                       Float4* first, Float4* second) {
+template <bool kMoments>
+HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_group, std::size_t last_group,
+                                    float* delta, float* alpha, Float4* sum, Float4* wall, void* cache_words,
+                                    Float4* first, Float4* second) {
   const FloatTag d;
+  auto* cache = static_cast<CachedGradient*>(cache_words);
   const KernelScales scales = kernel_scales(data);
-  const FloatV gradient_scale = hn::Mul(scales.gradient_spacing, hn::Set(d, 1.0F / data.spacing));
+  const FloatV inverse_spacing = hn::Set(d, 1.0F / data.spacing);
   for (std::size_t group = first_group; group < last_group; ++group)
     for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
       const Vec4 own = load_records(data.position + i);
       const FloatV zero = hn::Zero(d);
       FloatV weight = zero;
-      Symmetric m{zero, zero, zero, zero, zero, zero};
+      GradientSums sums{zero3(), zero};
+      Symmetric moments{zero, zero, zero, zero, zero, zero};
       const NeighborList::SlotRange fluid = data.fluid->groups[group];
       for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
-        const PairGeometry pair =
-            difference(own, gather_records(data.position, data.fluid->slots.data() + s * kLanes + lane));
+        const Vec4 other = gather_records(data.position, data.fluid->slots.data() + s * kLanes + lane);
+        const PairGeometry pair = difference(own, other);
         const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
+        const Vec3 g = keep_gradient(scaled(pair, hn::Mul(kernel.gradient_factor, scales.gradient_spacing)),
+                                     cache + s * kCacheStride + lane);
         weight = hn::Add(weight, kernel.value);
-        add_moments(pair, hn::Mul(kernel.gradient_factor, gradient_scale), m);
+        add_to(sums.sum, g);
+        sums.squares = dot(g, g, sums.squares);
+        if constexpr (kMoments) add_moments(pair, g, inverse_spacing, moments);
       }
-      FloatV density = hn::Mul(weight, scales.value);
+      FloatV density = hn::Mul(weight, scales.value), rate = hn::Zero(d);
+      Vec3 wall_sum = zero3();
       const NeighborList::SlotRange walls = data.boundary->groups[group];
       for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
-        const Vec4 other =
-            gather_records(data.walls->position.data(), data.boundary->slots.data() + s * kLanes + lane);
+        const std::int32_t* index = data.boundary->slots.data() + s * kLanes + lane;
+        const Vec4 other = gather_records(data.walls->position.data(), index);
         const PairGeometry pair = difference(own, other);
         const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
         density = hn::MulAdd(hn::Mul(kernel.value, scales.wall_value), other.w, density);
-        add_moments(pair, hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w), m);
+        const Vec3 g = scaled(pair, hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w));
+        add_to(wall_sum, g);
+        if constexpr (kMoments) add_moments(pair, g, hn::Set(d, 1.0F), moments);
+        if (data.walls_move) {
+          const Vec4 v = gather_records(data.walls->velocity.data(), index);
+          rate = dot({v.x, v.y, v.z}, g, rate);
+        }
       }
       hn::StoreU(density, d, delta + i);
-      store_correction(m, first + i, second + i);
+      store_gradient_sums(data, sums, wall_sum, rate, i, sum, wall, alpha);
+      if constexpr (kMoments) store_correction(moments, first + i, second + i);
     });
+}
+
+void density_groups(const PairData& data, std::size_t first_group, std::size_t last_group, float* delta, float* alpha,
+                    Float4* sum, Float4* wall, void* cache_words) {
+  density_groups_with<false>(data, first_group, last_group, delta, alpha, sum, wall, cache_words, nullptr, nullptr);
+}
+
+void correction_groups(const PairData& data, std::size_t first_group, std::size_t last_group, float* delta,
+                       float* alpha, Float4* sum, Float4* wall, void* cache_words, Float4* first, Float4* second) {
+  density_groups_with<true>(data, first_group, last_group, delta, alpha, sum, wall, cache_words, first, second);
 }
 
 HWY_INLINE Symmetric symmetric(const Vec4& first, const Vec4& second) {
   return {first.x, first.y, first.z, first.w, second.x, second.y};
+}
+
+/// sum_b v_b.(B_i a_ib): what moving walls add to the rate of density.
+HWY_INLINE FloatV corrected_wall_rate(const PairData& data, const KernelScales& scales, const Symmetric& correction,
+                                      std::size_t group, std::size_t lane, const Vec4& own) {
+  const FloatTag d;
+  FloatV rate = hn::Zero(d);
+  const NeighborList::SlotRange walls = data.boundary->groups[group];
+  for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
+    const std::int32_t* index = data.boundary->slots.data() + s * kLanes + lane;
+    const Vec4 other = gather_records(data.walls->position.data(), index);
+    const PairGeometry pair = difference(own, other);
+    const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
+    const FloatV factor = hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w);
+    const Vec4 v = gather_records(data.walls->velocity.data(), index);
+    rate = dot({v.x, v.y, v.z}, multiply(correction, scaled(pair, factor)), rate);
+  }
+  return rate;
 }
 
 void corrected_gradient_groups(const PairData& data, std::size_t first_group, std::size_t last_group,
@@ -227,41 +230,24 @@ void corrected_gradient_groups(const PairData& data, std::size_t first_group, st
   const KernelScales scales = kernel_scales(data);
   for (std::size_t group = first_group; group < last_group; ++group)
     for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
-      const Vec4 own = load_records(data.position + i);
-      const Symmetric own_correction = symmetric(load_records(first + i), load_records(second + i));
+      const Symmetric own = symmetric(load_records(first + i), load_records(second + i));
       GradientSums sums{zero3(), hn::Zero(d)};
       const NeighborList::SlotRange fluid = data.fluid->groups[group];
       for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
         const std::int32_t* index = data.fluid->slots.data() + s * kLanes + lane;
-        const PairGeometry pair = difference(own, gather_records(data.position, index));
-        const FloatV factor =
-            hn::Mul(cubic_spline(pair.r_squared, scales.support, scales.inverse_support).gradient_factor,
-                    scales.gradient_spacing);
-        const Vec3 plain = scaled(pair, factor);
         const std::size_t at = s * kCacheStride + lane;
-        const Vec3 g = keep_gradient(multiply(own_correction, plain), own_cache + at);
+        const Vec3 plain = kept_gradient(own_cache + at);
+        const Vec3 g = keep_gradient(multiply(own, plain), own_cache + at);
         keep_gradient(multiply(symmetric(gather_records(first, index), gather_records(second, index)), plain),
                       other_cache + at);
         add_to(sums.sum, g);
         sums.squares = dot(g, g, sums.squares);
       }
+      const Vec4 plain_wall = load_records(wall + i);
       FloatV rate = hn::Zero(d);
-      Vec3 wall_sum = zero3();
-      const NeighborList::SlotRange walls = data.boundary->groups[group];
-      for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
-        const std::int32_t* index = data.boundary->slots.data() + s * kLanes + lane;
-        const Vec4 other = gather_records(data.walls->position.data(), index);
-        const PairGeometry pair = difference(own, other);
-        const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
-        const FloatV factor = hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w);
-        const Vec3 g = multiply(own_correction, scaled(pair, factor));
-        add_to(wall_sum, g);
-        if (data.walls_move) {
-          const Vec4 v = gather_records(data.walls->velocity.data(), index);
-          rate = dot({v.x, v.y, v.z}, g, rate);
-        }
-      }
-      store_gradient_sums(data, sums, wall_sum, rate, i, sum, wall, alpha);
+      if (data.walls_move) rate = corrected_wall_rate(data, scales, own, group, lane, load_records(data.position + i));
+      store_gradient_sums(data, sums, multiply(own, {plain_wall.x, plain_wall.y, plain_wall.z}), rate, i, sum, wall,
+                          alpha);
     });
 }
 
@@ -345,8 +331,21 @@ void velocity_gradient_groups(const PairData& data, std::size_t first_group, std
     });
 }
 
+/// sum_b V_b W_ib of a vector of particles.
+HWY_INLINE FloatV wall_density(const PairData& data, const KernelScales& scales, const Vec4& own, std::size_t group,
+                               std::size_t lane) {
+  FloatV sum = hn::Zero(FloatTag());
+  const NeighborList::SlotRange walls = data.boundary->groups[group];
+  for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
+    const Vec4 other = gather_records(data.walls->position.data(), data.boundary->slots.data() + s * kLanes + lane);
+    const PairGeometry pair = difference(own, other);
+    sum = hn::MulAdd(cubic_spline(pair.r_squared, scales.support, scales.inverse_support).value, other.w, sum);
+  }
+  return hn::Mul(sum, scales.wall_value);
+}
+
 void filter_groups(const PairData& data, std::size_t first_group, std::size_t last_group, const Float4* row_x,
-                   const Float4* row_y, const Float4* row_z, Float4* change) {
+                   const Float4* row_y, const Float4* row_z, Float4* change, float* delta) {
   const FloatTag d;
   const KernelScales scales = kernel_scales(data);
   const FloatV half = hn::Set(d, 0.5F);
@@ -355,11 +354,13 @@ void filter_groups(const PairData& data, std::size_t first_group, std::size_t la
       const Vec4 own = load_records(data.position + i);
       const Vec4 own_x = load_records(row_x + i), own_y = load_records(row_y + i), own_z = load_records(row_z + i);
       Vec3 sum = zero3();
+      FloatV density = hn::Zero(d);
       const NeighborList::SlotRange fluid = data.fluid->groups[group];
       for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
         const std::int32_t* index = data.fluid->slots.data() + s * kLanes + lane;
         const PairGeometry pair = difference(own, gather_records(data.position, index));
         const FloatV weight = cubic_spline(pair.r_squared, scales.support, scales.inverse_support).value;
+        density = hn::Add(density, weight);
         const auto add = [&](const Vec4& mine, const Vec4& other, FloatV& to) HWY_ATTR {
           const Vec3 both{hn::Add(mine.x, other.x), hn::Add(mine.y, other.y), hn::Add(mine.z, other.z)};
           const FloatV linear = dot(both, {pair.x, pair.y, pair.z}, hn::Zero(d));
@@ -372,38 +373,38 @@ void filter_groups(const PairData& data, std::size_t first_group, std::size_t la
       store_records({hn::Mul(sum.x, scales.value), hn::Mul(sum.y, scales.value), hn::Mul(sum.z, scales.value),
                      hn::Zero(d)},
                     change + i);
+      hn::StoreU(hn::MulAdd(density, scales.value, wall_density(data, scales, own, group, lane)), d, delta + i);
     });
 }
 
 void acceleration_groups(const PairData& data, std::size_t first_group, std::size_t last_group, const Float4* velocity,
-                         float viscosity, float gravity, Float4* acceleration) {
+                         float viscosity, float gravity, Float4* acceleration, float* delta) {
   const FloatTag d;
-  const float radius = data.support_radius;
-  const float sigma = static_cast<float>(8.0 / M_PI) / (radius * radius * radius);
-  const FloatV support = hn::Set(d, radius), inverse_support = hn::Set(d, 1.0F / radius);
-  const FloatV scale = hn::Set(d, viscosity * 10.0F * data.volume * sigma / (radius * radius));
-  const FloatV softening = hn::Set(d, 0.01F * radius * radius);
+  const KernelScales scales = kernel_scales(data);
+  const float squared = data.support_radius * data.support_radius;
+  const FloatV scale = hn::Mul(hn::Set(d, viscosity * 10.0F / data.spacing), scales.gradient_spacing);
+  const FloatV softening = hn::Set(d, 0.01F * squared);
   for (std::size_t group = first_group; group < last_group; ++group)
     for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
       const Vec4 own = load_records(data.position + i), own_velocity = load_records(velocity + i);
-      FloatV ax = hn::Zero(d), ay = ax, az = ax;
+      FloatV weight = hn::Zero(d);
+      Vec3 sum = zero3();
       const NeighborList::SlotRange fluid = data.fluid->groups[group];
       for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
         const std::int32_t* index = data.fluid->slots.data() + s * kLanes + lane;
-        const Vec4 other = gather_records(data.position, index), other_velocity = gather_records(velocity, index);
-        const FloatV x = hn::Sub(own.x, other.x), y = hn::Sub(own.y, other.y), z = hn::Sub(own.z, other.z);
-        const FloatV vx = hn::Sub(own_velocity.x, other_velocity.x), vy = hn::Sub(own_velocity.y, other_velocity.y),
-                     vz = hn::Sub(own_velocity.z, other_velocity.z);
-        const FloatV r2 = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
-        const FloatV approach = hn::MulAdd(vx, x, hn::MulAdd(vy, y, hn::Mul(vz, z)));
-        const KernelPair kernel = cubic_spline(r2, support, inverse_support);
-        const FloatV factor = hn::Div(hn::Mul(kernel.gradient_factor, approach), hn::Add(r2, softening));
-        ax = hn::MulAdd(factor, x, ax);
-        ay = hn::MulAdd(factor, y, ay);
-        az = hn::MulAdd(factor, z, az);
+        const PairGeometry pair = difference(own, gather_records(data.position, index));
+        const PairGeometry change = difference(own_velocity, gather_records(velocity, index));
+        const FloatV approach = dot({change.x, change.y, change.z}, {pair.x, pair.y, pair.z}, hn::Zero(d));
+        const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
+        weight = hn::Add(weight, kernel.value);
+        const FloatV factor = hn::Div(hn::Mul(kernel.gradient_factor, approach), hn::Add(pair.r_squared, softening));
+        add_to(sum, scaled(pair, factor));
       }
-      store_records({hn::Mul(ax, scale), hn::Mul(ay, scale), hn::MulAdd(az, scale, hn::Set(d, -gravity)), hn::Zero(d)},
+      store_records({hn::Mul(sum.x, scale), hn::Mul(sum.y, scale), hn::MulAdd(sum.z, scale, hn::Set(d, -gravity)),
+                     hn::Zero(d)},
                     acceleration + i);
+      if (delta)
+        hn::StoreU(hn::MulAdd(weight, scales.value, wall_density(data, scales, own, group, lane)), d, delta + i);
     });
 }
 
@@ -482,13 +483,16 @@ void compute_density(TaskPool& pool, const PairData& data, std::span<float> delt
   });
 }
 
-void compute_corrections(TaskPool& pool, const PairData& data, std::span<float> delta, Corrections& corrections) {
+void compute_corrections(TaskPool& pool, const PairData& data, std::span<float> delta, Gradients& gradients,
+                         Corrections& corrections) {
+  reserve_gradients(data, false, gradients);
   const std::size_t size = data.ghosts ? extended_count(data.count, *data.ghosts) : padded_count(data.count);
   corrections.first.resize(size);
   corrections.second.resize(size);
   for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
     HWY_DYNAMIC_DISPATCH(correction_groups)
-    (data, first, last, delta.data(), corrections.first.data(), corrections.second.data());
+    (data, first, last, delta.data(), gradients.alpha.data(), gradients.sum.data(), gradients.wall.data(),
+     gradients.own.words.data(), corrections.first.data(), corrections.second.data());
   });
   if (data.ghosts) extend_corrections(pool, *data.ghosts, corrections);
 }
@@ -533,18 +537,19 @@ void compute_velocity_gradients(TaskPool& pool, const PairData& data, const Grad
 }
 
 void compute_filter(TaskPool& pool, const PairData& data, const VelocityGradients& gradients,
-                    std::span<Float4> change) {
+                    std::span<Float4> change, std::span<float> delta) {
   for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
     HWY_DYNAMIC_DISPATCH(filter_groups)
-    (data, first, last, gradients.row[0].data(), gradients.row[1].data(), gradients.row[2].data(), change.data());
+    (data, first, last, gradients.row[0].data(), gradients.row[1].data(), gradients.row[2].data(), change.data(),
+     delta.data());
   });
 }
 
 void compute_acceleration(TaskPool& pool, const PairData& data, std::span<const Float4> velocity, float viscosity,
-                          float gravity, std::span<Float4> acceleration) {
-  pool.for_each_range(data.fluid->groups.size(), kGroupsPerBlock, [&](std::size_t first, std::size_t last) {
+                          float gravity, std::span<Float4> acceleration, std::span<float> delta) {
+  for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
     HWY_DYNAMIC_DISPATCH(acceleration_groups)
-    (data, first, last, velocity.data(), viscosity, gravity, acceleration.data());
+    (data, first, last, velocity.data(), viscosity, gravity, acceleration.data(), delta.data());
   });
 }
 

@@ -58,7 +58,7 @@ void advance_pbf(TaskPool& pool, FluidState& state, double dt, Clock clock, Step
     report.capped = apply_correction(pool, state, {true, std::max(dt, state.last_dt / kLargestStepRatio)});
     extend_positions(pool, state);
   });
-  if (!literal) run_stage(report, clock, Stage::kDensityAfter, [&] { refresh_density(pool, state, report); });
+  state.density_present = literal;  // theirs is evaluated after every correction
   extend_velocities(pool, state);
 }
 

@@ -50,6 +50,7 @@ struct FluidState {
   std::vector<Float4> moving_position, moving_velocity;  ///< as placed by whoever moves the bodies; V_b in w
   double last_dt = 0.0;            ///< s; 0 before the first step
   bool gradients_present = false;  ///< lists and gradients belong to the present positions (dfsph needs them)
+  bool density_present = false;    ///< the densities do; else start_acceleration computes them
 
   NeighborList fluid_list, wall_list;
   CellGrid fluid_grid, static_grid, moving_grid;
@@ -76,7 +77,8 @@ struct FluidState {
 /// walls are read from moving_position / moving_velocity, which hold their state at the end of the step.
 void advance_fluid(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report);
 
-/// Gravity and viscosity into particles.acceleration; other forces are added by their own layers afterwards.
+/// Gravity and viscosity into particles.acceleration, and the densities at the final positions where the scheme has
+/// left them open; other forces are added by their own layers afterwards.
 void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report);
 
 /// Errors, energies, largest speed of the present state into the report. `dt` is the step just made.

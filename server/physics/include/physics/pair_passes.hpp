@@ -67,12 +67,13 @@ struct PairData {
 /// Density and plain gradients of every particle.
 void compute_density(TaskPool& pool, const PairData& data, std::span<float> delta, Gradients& gradients);
 
-/// Density, and the correction matrices of the particles at their present positions:
+/// The same, and the correction matrices:
 ///   M_i = -sum_j V x_ij grad W_ij^T - sum_b V_b x_ib grad W_ib^T,   B_i = w M_i^-1 + (1 - w) I,
 ///   w = smoothstep((det M_i - 0.05) / 0.15), so that particles with hardly any neighbours stay uncorrected.
-void compute_corrections(TaskPool& pool, const PairData& data, std::span<float> delta, Corrections& corrections);
+void compute_corrections(TaskPool& pool, const PairData& data, std::span<float> delta, Gradients& gradients,
+                         Corrections& corrections);
 
-/// Corrected gradients, from corrections that are up to date for images too.
+/// Turns plain gradients into corrected ones.
 void compute_corrected_gradients(TaskPool& pool, const PairData& data, const Corrections& corrections,
                                  Gradients& gradients);
 
@@ -93,13 +94,14 @@ void compute_velocity_gradients(TaskPool& pool, const PairData& data, const Grad
                                 std::span<const Float4> velocity, VelocityGradients& out);
 
 /// What the filter takes out of the velocities: sum_j V W_ij [v_j - v_i + (G_i + G_j)/2 (x_i - x_j)], m/s. Zero for
-/// velocities that are linear in space; antisymmetric in each pair, so momentum stays.
+/// velocities that are linear in space; antisymmetric in each pair, so momentum stays. The pass has the kernel at hand,
+/// so it gives the densities at these positions as well.
 void compute_filter(TaskPool& pool, const PairData& data, const VelocityGradients& gradients,
-                    std::span<Float4> change);
+                    std::span<Float4> change, std::span<float> delta);
 
 /// Gravity and viscosity: a = g + nu 2 (dim + 2) sum_j V (v_ij . x_ij) / (x_ij^2 + 0.01 R^2) grad W_ij   (paper eq. 6,
-/// 7) Walls are free of friction.
+/// 7). Walls are free of friction. @param delta  out, the densities at these positions; may be empty
 void compute_acceleration(TaskPool& pool, const PairData& data, std::span<const Float4> velocity, float viscosity,
-                          float gravity, std::span<Float4> acceleration);
+                          float gravity, std::span<Float4> acceleration, std::span<float> delta = {});
 
 }  // namespace pelagos

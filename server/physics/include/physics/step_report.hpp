@@ -14,7 +14,7 @@ enum class Stage : std::uint8_t {
   kNeighbors,        ///< neighbour lists
   kDensity,          ///< delta, alpha and gradients at x*
   kDensitySolve,     ///< position-based density constraint
-  kDensityAfter,     ///< delta, alpha and gradients at the new positions
+  kCorrectGradients, ///< plain gradients to corrected ones
   kDivergenceSolve,  ///< divergence-free velocity
   kFilter,           ///< noise of single particles out of the velocities
   kAcceleration,     ///< gravity and viscosity
@@ -26,7 +26,7 @@ enum class Stage : std::uint8_t {
 inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::kCount);
 inline constexpr std::array<const char*, kStageCount> kStageNames = {
     "bodies",        "predict",          "sort",         "neighbors", "density", "density_solve",
-    "density_after", "divergence_solve", "filter", "acceleration", "wind",      "measure", "surface"};
+    "correct_gradients", "divergence_solve", "filter", "acceleration", "wind",      "measure", "surface"};
 
 /// Wall time for each stage. Physics has no clock of its own: the caller gives one (null: nothing is timed).
 using Clock = std::int64_t (*)();  ///< ns from any fixed origin, monotonic
