@@ -19,6 +19,7 @@ class LineFit {
   void add(double x, double y);
   [[nodiscard]] double slope() const;
   [[nodiscard]] double at(double x) const;
+  [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] double mean() const { return y_ / static_cast<double>(count_); }  ///< of y
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 // Half a wavelength between mirrors: length and depth 1 m, so that k h = pi.
 constexpr double kDepth = 1.0, kLength = 1.0;  // m
-constexpr int kSlice = 4;                      // spacings
+constexpr int kSlice = 6;                      // spacings; thinner ones are more restless
 constexpr double kPeriods = 8.6;               // after which the amplitude is read
 
 struct Setup {

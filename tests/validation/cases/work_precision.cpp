@@ -85,28 +85,41 @@ struct Problem {
 };
 constexpr Problem kProblems[] = {{"wave", run_wave}, {"column", run_column}, {"dam break", run_break}};
 
+std::string setup_name(const Problem& problem, const Knobs& knobs) {
+  char text[80];
+  std::snprintf(text, sizeof text, "%s, tol %g, dt %g, d/%g", problem.name, knobs.tolerance, knobs.step,
+                knobs.refinement);
+  return text;
+}
+
+/// All sweeps of one problem with one solver. Turning the resolution, error falls as a power of the wall time.
+void run_sweeps(Session& session, const Problem& problem, const std::string& solver, Series& table) {
+  LineFit slope;
+  for (const Knobs& knobs : sweeps(session.quick())) {
+    const Subject subject{"work_precision", setup_name(problem, knobs), solver, 0.0};
+    session.attempt(subject, [&] {
+      const Point point = problem.run(session, knobs, subject);
+      const RunCost& cost = point.cost;
+      table.add(std::string(problem.name) + ',' + solver + ',' + knobs.sweep,
+                {knobs.tolerance, knobs.step, knobs.refinement, cost.wall_per_simulated(), point.error,
+                 100.0 * cost.density_error, cost.density_iterations + cost.velocity_iterations});
+      session.add_cost(subject, cost);
+      if (knobs.sweep == "resolution") slope.add(std::log(cost.wall_per_simulated()), std::log(std::abs(point.error)));
+    });
+  }
+  if (slope.count() >= 3)
+    session.add({"work_precision", problem.name, solver, 0.0},
+                {"exponent of the error over wall time by resolution", slope.slope(), "", "-"});
+}
+
 }  // namespace
 
 void run_work_precision(Session& session) {
   Series table(session.options().out / "work_precision.csv",
                "problem,solver,sweep,tolerance,step,refinement,wall_per_simulated,error,density_error,iterations");
-  const std::vector<std::string> solvers = session.solvers({"corrected", "hybrid", "dfsph", "pbf"});
   for (const Problem& problem : kProblems)
     for (const std::string& solver : session.solvers({"corrected", "hybrid", "dfsph", "pbf"}))
-      for (const Knobs& knobs : sweeps(session.quick())) {
-        char setup[80];
-        std::snprintf(setup, sizeof setup, "%s, tol %g, dt %g, d/%g", problem.name, knobs.tolerance, knobs.step,
-                      knobs.refinement);
-        const Subject subject{"work_precision", setup, solver, 0.0};
-        session.attempt(subject, [&] {
-          const Point point = problem.run(session, knobs, subject);
-          const RunCost& cost = point.cost;
-          table.add(std::string(problem.name) + ',' + solver + ',' + knobs.sweep,
-                    {knobs.tolerance, knobs.step, knobs.refinement, cost.wall_per_simulated(), point.error,
-                     100.0 * cost.density_error, cost.density_iterations + cost.velocity_iterations});
-          session.add_cost(subject, cost);
-        });
-      }
+      run_sweeps(session, problem, solver, table);
 }
 
 }  // namespace pelagos::validation
