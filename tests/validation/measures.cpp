@@ -176,6 +176,11 @@ double surface_level(const FluidState& state) {
   return sum / static_cast<double>(highest.size()) + 0.5 * d;
 }
 
+double mechanical_energy(WaterRun& run) {
+  const StepReport report = run.measure();
+  return report.kinetic_energy + report.potential_energy;
+}
+
 double rms_speed(const FluidParticles& particles) {
   double sum = 0.0;
   for (std::size_t i = 0; i < particles.count; ++i) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/fluid.hpp"
+#include "water_run.hpp"
 
 namespace pelagos::validation {
 
@@ -52,6 +53,9 @@ class LineFit {
 /// Height of the surface over the middle of columns one spacing wide: the highest particle of each plus half a
 /// spacing, mean over columns, m.
 [[nodiscard]] double surface_level(const FluidState& state);
+
+/// Kinetic plus potential energy, J.
+[[nodiscard]] double mechanical_energy(WaterRun& run);
 
 /// sqrt(mean |v|^2), m/s.
 [[nodiscard]] double rms_speed(const FluidParticles& particles);

@@ -67,6 +67,7 @@ void run_one(Session& session, const Setup& setup, const Subject& subject) {
   const double period = wave.period(), end = (kPeriods + 0.7) * period;
   Envelope envelope(period);
   Curve curve;
+  const double energy = mechanical_energy(run);
   Series series = session.series(subject, "surface", "periods,eta");
   const auto sample = [&] {
     const double eta = surface_mode(run.state().particles, parameters.volume(), wave.wavenumber, kLength, width).real();
@@ -84,6 +85,10 @@ void run_one(Session& session, const Setup& setup, const Subject& subject) {
                         "w^2 = g k tanh(k h)"});
   session.add(subject, {"amplitude left after 8.6 periods", envelope.at(kPeriods) / curve.value.front(), "",
                         "1; the best peer 0.86", setup.left});
+  const double wave_energy =
+      0.25 * parameters.rest_density * parameters.gravity * setup.amplitude * setup.amplitude * kLength * width;
+  session.add(subject, {"mechanical energy gained in all", (mechanical_energy(run) - energy) / wave_energy,
+                        "of the wave's", "0"});
   session.add_cost(subject, run.cost());
 }
 

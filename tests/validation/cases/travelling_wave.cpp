@@ -4,6 +4,7 @@
 #include <complex>
 
 #include "harness.hpp"
+#include "measures.hpp"
 #include "waves.hpp"
 
 namespace pelagos::validation {
@@ -83,6 +84,7 @@ void run_one(Session& session, const Setup& setup, const Subject& subject) {
   series.add({0, 1, 0, 0});
   const Goal goal = at_most(setup.aim, setup.bound);
   const int periods = session.quick() ? 3 : 10;
+  const double energy = mechanical_energy(run);
   (void)run_travelling(
       run, setup.wave, periods,
       [&](int n, const TravellingResult& r) {
@@ -90,6 +92,11 @@ void run_one(Session& session, const Setup& setup, const Subject& subject) {
         if (n == 3 || n == 10) add_results(session, subject, n, r, goal);
       },
       [&](double share) { session.progress(subject, share); });
+  const FluidParameters& q = run.state().parameters;
+  const double wave_energy = 0.5 * q.rest_density * q.gravity * setup.wave.amplitude * setup.wave.amplitude *
+                             setup.wave.length * setup.wave.slice * setup.wave.spacing;
+  session.add(subject, {"mechanical energy gained in all", (mechanical_energy(run) - energy) / wave_energy,
+                        "of the wave's", "0"});
   session.add_cost(subject, run.cost());
 }
 
