@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <set>
 
 #include "pair_scene.hpp"
@@ -69,6 +72,64 @@ TEST(BoundaryVolumes, OfNoneOneAndTwoSamples) {
   std::vector<Float4> same = {{1, 2, 3, 0}, {1, 2, 3, 0}};
   assign_boundary_volumes(pool, 0.1, same);
   for (const Float4& sample : same) EXPECT_NEAR(static_cast<double>(sample.w), 0.5 * alone, 1e-6 * alone);
+}
+
+constexpr double kTankSpacing = 0.05, kTankSupport = 0.1;
+const Region kTank{{0, 0, 0}, {0.5F, 0.4F, 0.3F}};
+constexpr Edge kWall = Edge::kWall, kMirror = Edge::kMirror, kPeriodic = Edge::kPeriodic;
+
+TEST(SampleTank, WithWallsAllAroundIsTheSampledBox) {
+  TaskPool pool(2);
+  std::vector<Float4> box = sample_box(kTank, kTankSpacing);
+  assign_boundary_volumes(pool, kTankSupport, box);
+  const std::vector<Float4> samples = sample_tank(pool, kTank, {kWall, kWall, kWall}, kTankSpacing, kTankSupport);
+  ASSERT_EQ(samples.size(), box.size());
+  for (std::size_t k = 0; k < box.size(); ++k) {
+    const Double3 off = minus(as_double(samples[k]), as_double(box[k]));
+    ASSERT_EQ(dot(off, off), 0.0) << k;
+    ASSERT_EQ(samples[k].w, box[k].w) << k;
+  }
+}
+
+TEST(SampleTank, WithoutWallsIsEmpty) {
+  TaskPool pool(2);
+  EXPECT_TRUE(sample_tank(pool, kTank, {kMirror, kPeriodic, kMirror}, kTankSpacing, kTankSupport).empty());
+}
+
+TEST(SampleTank, AFloorGoesOnBeyondMirroredAndPeriodicFaces) {
+  TaskPool pool(2);
+  const std::vector<Float4> samples = sample_tank(pool, kTank, {kMirror, kPeriodic, kWall}, kTankSpacing, kTankSupport);
+  // Floor and lid, two intervals (one support radius) beyond each side: (10 + 1 + 4) x (8 + 1 + 4) samples each.
+  EXPECT_EQ(samples.size(), 2U * 15U * 13U);
+  for (const Float4& p : samples) {
+    EXPECT_TRUE(p.z == kTank.min[2] || p.z == kTank.max[2]);
+    EXPECT_GE(p.x, -0.101F);
+    EXPECT_LE(p.x, 0.601F);
+    // All have the same surroundings: the volume of an endless plane's sample.
+    ASSERT_NEAR(static_cast<double>(p.w / samples[0].w), 1.0, 2e-5);  // single precision coordinates
+  }
+}
+
+TEST(SampleTank, AChannelIsTheSameAllAlong) {
+  TaskPool pool(2);
+  // Periodic along x: floor, lid and two side walls; volumes depend on y and z only.
+  const std::vector<Float4> samples = sample_tank(pool, kTank, {kPeriodic, kWall, kWall}, kTankSpacing, kTankSupport);
+  std::map<std::array<int, 2>, std::vector<float>> rows;
+  for (const Float4& p : samples)
+    rows[{static_cast<int>(std::lround(p.y / 0.05F)), static_cast<int>(std::lround(p.z / 0.05F))}].push_back(p.w);
+  EXPECT_EQ(rows.size(), 2U * (9U + 7U) - 4U);  // the rim of 9 x 7 rows
+  for (const auto& [row, volumes] : rows) {
+    ASSERT_EQ(volumes.size(), 15U);
+    for (const float v : volumes) ASSERT_NEAR(static_cast<double>(v / volumes[0]), 1.0, 2e-5);
+  }
+  // A period on, the samples repeat: what a particle sees at one face, its image sees at the other.
+  for (const Float4& p : samples) {
+    if (p.x > 0.101F) continue;
+    const bool repeated = std::any_of(samples.begin(), samples.end(), [&](const Float4& q) {
+      return std::abs(q.x - p.x - 0.5F) < 1e-6F && q.y == p.y && q.z == p.z;
+    });
+    ASSERT_TRUE(repeated) << p.x << ' ' << p.y << ' ' << p.z;
+  }
 }
 
 TEST(BlockParticles, CountsOfThePaper) {

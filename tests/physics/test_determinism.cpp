@@ -5,37 +5,77 @@
 namespace pelagos::test {
 namespace {
 
+constexpr Edge kWall = Edge::kWall, kMirror = Edge::kMirror, kPeriodic = Edge::kPeriodic;
+
+struct Case {
+  const char* name;
+  Scheme scheme;
+  SolveMethod method;
+  std::array<Edge, 3> edges;
+  int steps;
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
 /// The hash after settling and after each step. More particles than one block of any loop holds (2048).
-std::vector<std::uint64_t> history(int threads, SolveMethod method, int steps) {
-  WaterScene water = small_dam_break(threads, {13, 10, 17});
+std::vector<std::uint64_t> history(int threads, const Case& c) {
+  const double d = 0.05;
+  const std::array<int, 3> n{13, 10, 17};
+  FluidParameters parameters = tank({3.0 * (n[0] + 1) * d, (n[1] + 1) * d, 2.0 * (n[2] + 1) * d}, d);
+  parameters.scheme = c.scheme;
+  parameters.edges = c.edges;
+  parameters.density.method = parameters.divergence.method = c.method;
+  WaterScene water(threads, parameters, lattice(n, d, {d, d, d}));
   EXPECT_GT(water.state.particles.count, 2048U);
-  water.state.parameters.density.method = water.state.parameters.divergence.method = method;
   settle_fluid(water.pool, water.state, 5);
   std::vector<std::uint64_t> hashes = {state_hash(water.state.particles)};
-  for (int n = 0; n < steps; ++n) {
+  for (int step = 0; step < c.steps; ++step) {
     static_cast<void>(water.step(water.largest_step()));
     hashes.push_back(state_hash(water.state.particles));
   }
   return hashes;
 }
 
-void expect_same_bits(SolveMethod method, int steps) {
-  const std::vector<std::uint64_t> one = history(1, method, steps);
+class Determinism : public testing::TestWithParam<Case> {};
+
+constexpr SolveMethod kGradients = SolveMethod::kConjugateGradient, kJacobi = SolveMethod::kJacobi,
+                      kPaper = SolveMethod::kPaper;
+constexpr std::array<Edge, 3> kWalls{kWall, kWall, kWall}, kPeriodicX{kPeriodic, kWall, kWall},
+    kMirrorX{kMirror, kWall, kWall}, kMixed{kPeriodic, kMirror, kWall};
+
+INSTANTIATE_TEST_SUITE_P(
+    Schemes, Determinism,
+    testing::Values(Case{"Hybrid", Scheme::kHybrid, kGradients, kWalls, 40},
+                    Case{"Dfsph", Scheme::kDfsph, kGradients, kWalls, 20},
+                    Case{"Pbf", Scheme::kPbf, kGradients, kWalls, 20},
+                    Case{"Corrected", Scheme::kCorrected, kGradients, kWalls, 20},
+                    Case{"HybridJacobi", Scheme::kHybrid, kJacobi, kWalls, 3},
+                    Case{"CorrectedJacobi", Scheme::kCorrected, kJacobi, kWalls, 3},
+                    Case{"HybridPaper", Scheme::kHybrid, kPaper, kWalls, 3},
+                    Case{"DfsphPaper", Scheme::kDfsph, kPaper, kWalls, 3},
+                    Case{"PbfPaper", Scheme::kPbf, kPaper, kWalls, 3},
+                    Case{"HybridPeriodic", Scheme::kHybrid, kGradients, kPeriodicX, 15},
+                    Case{"HybridMirrored", Scheme::kHybrid, kGradients, kMirrorX, 15},
+                    Case{"DfsphMixed", Scheme::kDfsph, kGradients, kMixed, 15},
+                    Case{"PbfMixed", Scheme::kPbf, kGradients, kMixed, 15},
+                    Case{"CorrectedPeriodic", Scheme::kCorrected, kGradients, kPeriodicX, 15},
+                    Case{"CorrectedMixed", Scheme::kCorrected, kGradients, kMixed, 15},
+                    Case{"CorrectedMirrors", Scheme::kCorrected, kGradients, {kMirror, kMirror, kMirror}, 15}),
+    [](const testing::TestParamInfo<Case>& c) { return c.param.name; });
+
+TEST_P(Determinism, SameBitsForOneTwoAndSevenThreads) {
+  const std::vector<std::uint64_t> one = history(1, GetParam());
   for (std::size_t n = 1; n < one.size(); ++n) ASSERT_NE(one[n], one[n - 1]) << "nothing moves in step " << n;
   for (const int threads : {2, 7}) {
-    const std::vector<std::uint64_t> other = history(threads, method, steps);
+    const std::vector<std::uint64_t> other = history(threads, GetParam());
     for (std::size_t n = 0; n < one.size(); ++n)
       ASSERT_EQ(other[n], one[n]) << threads << " threads differ from one, first after step " << n
                                   << " (0: after settling)";
   }
 }
 
-TEST(Determinism, SameBitsForOneTwoAndSevenThreads) { expect_same_bits(SolveMethod::kConjugateGradient, 50); }
-
-TEST(Determinism, SameBitsForOneTwoAndSevenThreadsWithJacobi) { expect_same_bits(SolveMethod::kJacobi, 3); }
-
-TEST(Determinism, TheSameRunTwice) {
-  EXPECT_EQ(history(2, SolveMethod::kConjugateGradient, 5), history(2, SolveMethod::kConjugateGradient, 5));
+TEST(DeterminismAlone, TheSameRunTwice) {
+  const Case c{"", Scheme::kCorrected, kGradients, kMixed, 5};
+  EXPECT_EQ(history(2, c), history(2, c));
 }
 
 TEST(StateHash, SeesEveryBitOfPositionAndVelocity) {

@@ -272,6 +272,34 @@ TEST(NeighborSearch, OrderDoesNotDependOnTheNumberOfThreads) {
   }
 }
 
+TEST(NeighborSearch, ARowKeepsTheNearestOfTooManyNeighbors) {
+  // Distances grow along the crowd, so the nearest of each are known.
+  TaskPool pool(2);
+  std::vector<Float4> crowd(800, Float4{0.52F, 0.4F, 0.3F, 0});
+  for (std::size_t i = 0; i < crowd.size(); ++i) crowd[i].x += 2e-5F * static_cast<float>(i);
+  const Source points(pool, crowd);
+  const Found found = search_self(pool, points);
+  expect_well_formed(found, points.count);
+  EXPECT_EQ(found.report.long_rows, 800U);
+  EXPECT_EQ(found.report.cut_rows, 800U);
+  EXPECT_LE(found.report.slots * kLanes, 800U * kLongestRow);
+  for (const std::size_t i : {0U, 399U, 799U}) {
+    const std::vector<std::size_t> kept = row(found.list, i);
+    ASSERT_EQ(kept.size(), kLongestRow);
+    const std::set<std::size_t> unique(kept.begin(), kept.end());
+    ASSERT_EQ(unique.size(), kLongestRow);
+    ASSERT_TRUE(unique.contains(i));
+    ASSERT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+    float farthest_kept = 0.0F, nearest_left = 1.0F;
+    for (std::size_t j = 0; j < points.count; ++j) {
+      const float r = std::abs(points.position[j].x - points.position[i].x);
+      if (unique.contains(j)) farthest_kept = std::max(farthest_kept, r);
+      if (!unique.contains(j)) nearest_left = std::min(nearest_left, r);
+    }
+    ASSERT_LE(farthest_kept, nearest_left);
+  }
+}
+
 TEST(NeighborSearch, AListIsReusedForFewerAndMorePoints) {
   TaskPool pool(2);
   NeighborList list;

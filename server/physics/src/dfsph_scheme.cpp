@@ -34,7 +34,10 @@ void solve_predicted_density(TaskPool& pool, FluidState& state, double dt, StepR
 }  // namespace
 
 void advance_dfsph(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report) {
-  if (!state.gradients_present) refresh_all(pool, state, clock, report);
+  if (!state.gradients_present) {  // settling may have moved particles across a face
+    wrap(pool, state);
+    refresh_all(pool, state, clock, report);
+  }
   run_stage(report, clock, Stage::kPredict, [&] { accelerate(pool, state, dt); });
   run_stage(report, clock, Stage::kDensitySolve, [&] { solve_predicted_density(pool, state, dt, report); });
   run_stage(report, clock, Stage::kPredict, [&] {

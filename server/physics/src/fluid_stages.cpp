@@ -132,6 +132,7 @@ void search_neighbors(TaskPool& pool, FluidState& state, StepReport& report) {
   const SearchReport near_walls = find_neighbors(pool, state.fluid_grid, query, {walls, sources}, radius,
                                                  static_cast<std::int32_t>(state.walls.count), state.wall_list);
   report.long_rows = found.long_rows + near_walls.long_rows;
+  report.cut_rows = found.cut_rows + near_walls.cut_rows;
 }
 
 void refresh_density(TaskPool& pool, FluidState& state, StepReport& report) {

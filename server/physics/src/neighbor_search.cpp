@@ -178,12 +178,28 @@ namespace {
 
 constexpr std::size_t kGroupsPerBlock = 16;
 
-/// The neighbours of one group without any bound on their number; returns how many rows were long.
-std::uint32_t search_group_exactly(const SearchJob& job, std::size_t group) {
+/// A neighbour of a long row; rows are made in ascending order of indices within a source.
+struct LongRowEntry {
+  float distance_squared;
+  std::uint32_t order;  ///< place in the row
+  std::int32_t index;
+};
+
+/// Keeps the nearest, in the order in which they were; of equally near ones the first.
+void cut_row(std::vector<LongRowEntry>& row) {
+  const auto nearer = [](const LongRowEntry& a, const LongRowEntry& b) {
+    return a.distance_squared != b.distance_squared ? a.distance_squared < b.distance_squared : a.order < b.order;
+  };
+  std::nth_element(row.begin(), row.begin() + kLongestRow, row.end(), nearer);
+  row.resize(kLongestRow);
+  std::sort(row.begin(), row.end(), [](const LongRowEntry& a, const LongRowEntry& b) { return a.order < b.order; });
+}
+
+/// The neighbours of one group, however many up to kLongestRow a particle; counts long and cut rows.
+void search_group_exactly(const SearchJob& job, std::size_t group, SearchReport& report) {
   NeighborList& list = *job.list;
-  std::array<std::vector<std::int32_t>, kLanes> rows;
+  std::array<std::vector<LongRowEntry>, kLanes> rows;
   std::size_t longest = 0;
-  std::uint32_t long_rows = 0;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const std::size_t i = group * kLanes + lane;
     if (i >= job.query.size()) continue;
@@ -192,20 +208,25 @@ std::uint32_t search_group_exactly(const SearchJob& job, std::size_t group) {
     for (const Run& run : std::span(runs.run).first(runs.count))
       for (std::uint32_t k = run.first; k < run.last; ++k) {
         const float x = run.position[k].x - p.x, y = run.position[k].y - p.y, z = run.position[k].z - p.z;
-        if (x * x + y * y + z * z < job.support_radius * job.support_radius)
-          rows[lane].push_back(static_cast<std::int32_t>(k + run.index_offset));
+        const float r_squared = x * x + y * y + z * z;
+        if (r_squared < job.support_radius * job.support_radius)
+          rows[lane].push_back({r_squared, static_cast<std::uint32_t>(rows[lane].size()),
+                                static_cast<std::int32_t>(k + run.index_offset)});
       }
+    report.long_rows += rows[lane].size() > kRowCapacity ? 1U : 0U;
+    if (rows[lane].size() > kLongestRow) {
+      cut_row(rows[lane]);
+      ++report.cut_rows;
+    }
     longest = std::max(longest, rows[lane].size());
-    long_rows += rows[lane].size() > kRowCapacity ? 1U : 0U;
     list.pair_count[i] = static_cast<std::uint32_t>(rows[lane].size());
   }
   const std::uint64_t first = job.next_slot->fetch_add(longest, std::memory_order_relaxed);
   if (list.slots.size() < (first + longest) * kLanes) list.slots.resize((first + longest) * kLanes);
   for (std::size_t k = 0; k < longest; ++k)
     for (std::size_t lane = 0; lane < kLanes; ++lane)
-      list.slots[(first + k) * kLanes + lane] = k < rows[lane].size() ? rows[lane][k] : job.dummy;
+      list.slots[(first + k) * kLanes + lane] = k < rows[lane].size() ? rows[lane][k].index : job.dummy;
   list.groups[group] = {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first + longest)};
-  return long_rows;
 }
 
 }  // namespace
@@ -232,7 +253,7 @@ SearchReport find_neighbors(TaskPool& pool, const CellGrid& query_grid, std::spa
   SearchReport report;
   for (std::size_t group = 0; group < groups; ++group) {
     const auto first = list.pair_count.begin() + static_cast<std::ptrdiff_t>(group * kLanes);
-    if (*std::max_element(first, first + kLanes) > kRowCapacity) report.long_rows += search_group_exactly(job, group);
+    if (*std::max_element(first, first + kLanes) > kRowCapacity) search_group_exactly(job, group, report);
     for (std::size_t lane = 0; lane < kLanes; ++lane) report.pairs += first[static_cast<std::ptrdiff_t>(lane)];
   }
   report.slots = next_slot.load();

@@ -108,8 +108,12 @@ HWY_INLINE void store_gradient_sums(const PairData& data, const GradientSums& fl
   store_records({wall.x, wall.y, wall.z, wall_rate}, wall_out + i);
 }
 
-/// The inverse of M blended into the unit matrix where M is nearly singular. Weight as in compute_corrections.
-HWY_INLINE void store_correction(const Symmetric& m, Float4* first, Float4* second) {
+/// The correction ends where steep walls make up this share of the density.
+constexpr float kWallShare = 0.1F;
+
+/// The inverse of M blended into the unit matrix where M is nearly singular and at steep walls. Weight as in
+/// compute_corrections.
+HWY_INLINE void store_correction(const Symmetric& m, FloatV walls, Float4* first, Float4* second) {
   const FloatTag d;
   const FloatV one = hn::Set(d, 1.0F), zero = hn::Zero(d);
   const auto minor = [](FloatV a, FloatV b, FloatV c, FloatV e) HWY_ATTR {
@@ -120,13 +124,21 @@ HWY_INLINE void store_correction(const Symmetric& m, Float4* first, Float4* seco
                cyz = minor(m.xy, m.xz, m.xx, m.yz), czz = minor(m.xx, m.yy, m.xy, m.xy);
   const FloatV det = hn::MulAdd(m.xx, cxx, hn::MulAdd(m.xy, cxy, hn::Mul(m.xz, cxz)));
   const FloatV t = hn::Min(one, hn::Max(zero, hn::Mul(hn::Sub(det, hn::Set(d, 0.05F)), hn::Set(d, 1.0F / 0.15F))));
-  const FloatV w = hn::Mul(hn::Mul(t, t), hn::NegMulAdd(hn::Set(d, 2.0F), t, hn::Set(d, 3.0F)));
+  const FloatV away = hn::Max(zero, hn::NegMulAdd(walls, hn::Set(d, 1.0F / kWallShare), one));
+  const FloatV w = hn::Mul(away, hn::Mul(hn::Mul(t, t), hn::NegMulAdd(hn::Set(d, 2.0F), t, hn::Set(d, 3.0F))));
   const FloatV rest = hn::Sub(one, w);
   const FloatV factor = hn::Div(w, hn::Max(det, hn::Set(d, 0.04F)));
   store_records({hn::MulAdd(cxx, factor, rest), hn::Mul(cxy, factor), hn::Mul(cxz, factor),
                  hn::MulAdd(cyy, factor, rest)},
                 first);
   store_records({hn::Mul(cyz, factor), hn::MulAdd(czz, factor, rest), w, zero}, second);
+}
+
+/// How steep the walls are that push along g: 0 over a level floor, 1 at an upright wall.
+HWY_INLINE FloatV steepness(const Vec3& g) {
+  const FloatTag d;
+  const FloatV across = hn::MulAdd(g.x, g.x, hn::Mul(g.y, g.y));
+  return hn::Div(across, hn::Add(hn::MulAdd(g.z, g.z, across), hn::Set(d, 1e-20F)));
 }
 
 /// M -= scale x g^T, which is symmetric because g is along x.
@@ -167,7 +179,7 @@ HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_grou
         sums.squares = dot(g, g, sums.squares);
         if constexpr (kMoments) add_moments(pair, g, inverse_spacing, moments);
       }
-      FloatV density = hn::Mul(weight, scales.value), rate = hn::Zero(d);
+      FloatV wall_density = zero, rate = zero;
       Vec3 wall_sum = zero3();
       const NeighborList::SlotRange walls = data.boundary->groups[group];
       for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
@@ -175,7 +187,7 @@ HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_grou
         const Vec4 other = gather_records(data.walls->position.data(), index);
         const PairGeometry pair = difference(own, other);
         const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
-        density = hn::MulAdd(hn::Mul(kernel.value, scales.wall_value), other.w, density);
+        wall_density = hn::MulAdd(hn::Mul(kernel.value, scales.wall_value), other.w, wall_density);
         const Vec3 g = scaled(pair, hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w));
         add_to(wall_sum, g);
         if constexpr (kMoments) add_moments(pair, g, hn::Set(d, 1.0F), moments);
@@ -184,9 +196,10 @@ HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_grou
           rate = dot({v.x, v.y, v.z}, g, rate);
         }
       }
-      hn::StoreU(density, d, delta + i);
+      hn::StoreU(hn::MulAdd(weight, scales.value, wall_density), d, delta + i);
       store_gradient_sums(data, sums, wall_sum, rate, i, sum, wall, alpha);
-      if constexpr (kMoments) store_correction(moments, first + i, second + i);
+      if constexpr (kMoments)
+        store_correction(moments, hn::Mul(wall_density, steepness(wall_sum)), first + i, second + i);
     });
 }
 

@@ -15,6 +15,7 @@ void settle_fluid(TaskPool& pool, FluidState& state, int steps) {
     apply_correction(pool, state, {true, 0.0});
   }
   if (steps == 0) return;
+  state.gradients_present = false;
   std::fill(state.particles.density_pressure.begin(), state.particles.density_pressure.end(), 0.0F);
   extend_positions(pool, state);
   start_acceleration(pool, state, report);  // the sort does not carry the accelerations along

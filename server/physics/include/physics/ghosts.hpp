@@ -21,7 +21,8 @@ enum class Edge : std::uint8_t {
 /// Images of the particles near mirrored and periodic faces, one support radius deep. They stand behind the particles
 /// in the same arrays and in the same neighbour lists, so pair loops do not know them; whoever changes an array that is
 /// gathered brings its images up to date with `extend`. An image i' of i and an image j' of j are as far from each
-/// other's originals, so a sum over neighbours and images keeps its exact adjoint.
+/// other's originals, so a sum over neighbours and images keeps its exact adjoint. Such a tank is at least one support
+/// radius across: only the nearest image on either side is made.
 struct Ghosts {
   std::size_t count = 0;
   std::size_t begin = 0;               ///< place of the first one in the arrays

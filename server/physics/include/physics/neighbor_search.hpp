@@ -25,7 +25,12 @@ struct SearchReport {
   std::uint64_t pairs = 0;      ///< directed pairs found, self pairs included
   std::uint64_t slots = 0;      ///< slots used, each of kLanes entries: padding is slots * kLanes - pairs
   std::uint32_t long_rows = 0;  ///< particles with so many neighbours that they took the slow exact path
+  std::uint32_t cut_rows = 0;   ///< particles with more than kLongestRow neighbours, of which the nearest are kept
 };
+
+/// No row holds more neighbours: thousands of particles in one place would take memory with the square of their number.
+/// Water at rest has about 33. Where rows are cut, pairs may be seen from one side only.
+inline constexpr std::size_t kLongestRow = 512;
 
 /// Fills `list` with the neighbours of each query point closer than `support_radius`.
 /// @param query       [count] sorted by `query_grid`; all grids have the same region and cell size = support_radius

@@ -1,0 +1,148 @@
+#include "hard_water.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "simulation/fluid_setup.hpp"
+#include "solver_names.hpp"
+
+namespace pelagos::hard {
+
+HardWater::HardWater(const FluidParameters& parameters, const std::vector<Float4>& positions, int threads)
+    : pool_(threads), state_(make_fluid(pool_, parameters, positions)) {
+  start_watch();
+}
+
+double HardWater::step_unit() const {
+  return std::sqrt(state_.parameters.spacing / (state_.parameters.gravity > 0.0 ? state_.parameters.gravity : 9.81));
+}
+
+void HardWater::start_watch() {
+  StepReport now;
+  measure_fluid(pool_, state_, 0.0, now);
+  start_energy_ = lowest_energy_ = now.kinetic_energy + now.potential_energy;
+}
+
+void HardWater::settle(int steps) {
+  settle_fluid(pool_, state_, steps);
+  start_watch();
+}
+
+StepReport HardWater::step(double dt) {
+  StepReport report;
+  advance_fluid(pool_, state_, dt, nullptr, report);
+  start_acceleration(pool_, state_, report);
+  measure_fluid(pool_, state_, dt, report);
+  note(report);
+  return report;
+}
+
+void HardWater::note(const StepReport& report) {
+  ++sums_.steps;
+  sums_.not_finite = std::max(sums_.not_finite, report.not_finite);
+  if (sums_.not_finite > 0) return;
+  sums_.outside = std::max(sums_.outside, report.outside);
+  sums_.capped += report.capped;
+  sums_.unconverged += report.density.converged && report.divergence.converged ? 0 : 1;
+  sums_.density_error = std::max(sums_.density_error, report.density_error);
+  sums_.mean_density_error += report.density_error;
+  sums_.largest_density = std::max(sums_.largest_density, report.largest_density);
+  sums_.density_iterations += report.density.iterations;
+  sums_.velocity_iterations += report.divergence.iterations;
+  sums_.largest_speed = std::max(sums_.largest_speed, report.largest_speed);
+  speed_ = report.largest_speed;
+  const double energy = report.kinetic_energy + report.potential_energy;
+  if (start_energy_ > 0.0) sums_.energy_rise = std::max(sums_.energy_rise, (energy - lowest_energy_) / start_energy_);
+  lowest_energy_ = std::min(lowest_energy_, energy);
+  const double mass = state_.parameters.rest_density * state_.parameters.volume() *
+                      static_cast<double>(std::max<std::size_t>(state_.particles.count, 1));
+  rms_.push_back(std::sqrt(2.0 * report.kinetic_energy / mass));
+}
+
+void HardWater::run(double time, double factor, double cfl) {
+  const double longest = factor * step_unit();
+  double gone = 0.0;
+  while (gone < time && sums_.not_finite == 0) {
+    double dt = longest;
+    if (cfl > 0.0) dt = std::max(admissible_time_step(state_.parameters, cfl, longest, speed_), 0.1 * longest);
+    step(dt);
+    gone += dt;
+  }
+}
+
+Outcome HardWater::outcome() const {
+  Outcome out = sums_;
+  const double steps = std::max(out.steps, 1);
+  out.mean_density_error /= steps;
+  out.density_iterations /= steps;
+  out.velocity_iterations /= steps;
+  if (!rms_.empty()) {
+    out.rms_speed = rms_.back();
+    out.late_rms_speed = *std::max_element(rms_.begin() + static_cast<std::ptrdiff_t>(rms_.size() / 2), rms_.end());
+  }
+  return out;
+}
+
+double HardWater::mean_height() const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < state_.particles.count; ++i) sum += static_cast<double>(state_.particles.position[i].z);
+  return sum / static_cast<double>(std::max<std::size_t>(state_.particles.count, 1));
+}
+
+bool HardWater::all_there() const {
+  std::vector<int> times(state_.particles.count, 0);
+  for (std::size_t i = 0; i < state_.particles.count; ++i)
+    if (state_.particles.id[i] < times.size()) ++times[state_.particles.id[i]];
+  return std::all_of(times.begin(), times.end(), [](int t) { return t == 1; });
+}
+
+FluidParameters tank_with(const std::string& name, const std::array<double, 3>& size, double spacing,
+                          double tolerance) {
+  SolverSettings solver;
+  if (!choose_solver(name, solver)) throw std::invalid_argument("no solver of the name " + name);
+  solver.density.tolerance = solver.divergence.tolerance = tolerance;
+  FluidParameters p;
+  p.spacing = spacing;
+  p.support_radius = 2.0 * spacing;
+  apply_solver(solver, p);
+  p.viscosity = default_viscosity(solver.kind, spacing);
+  for (std::size_t a = 0; a < 3; ++a) p.tank.max[a] = static_cast<float>(size[a]);
+  return p;
+}
+
+std::vector<Float4> block(const std::array<int, 3>& n, double spacing, const std::array<double, 3>& first) {
+  std::vector<Float4> points;
+  for (int k = 0; k < n[2]; ++k)
+    for (int j = 0; j < n[1]; ++j)
+      for (int i = 0; i < n[0]; ++i)
+        points.push_back({static_cast<float>(first[0] + i * spacing), static_cast<float>(first[1] + j * spacing),
+                          static_cast<float>(first[2] + k * spacing), 0.0F});
+  return points;
+}
+
+namespace {
+constexpr double kSpacing = 0.05;
+FluidParameters lattice_tank(const std::string& solver, const std::array<int, 3>& intervals, double tolerance) {
+  return tank_with(solver, {intervals[0] * kSpacing, intervals[1] * kSpacing, intervals[2] * kSpacing}, kSpacing,
+                   tolerance);
+}
+}  // namespace
+
+HardWater small_dam(const std::string& solver, double tolerance) {
+  return {lattice_tank(solver, {51, 9, 34}, tolerance), block({16, 8, 16}, kSpacing, {kSpacing, kSpacing, kSpacing})};
+}
+
+HardWater still_column(const std::string& solver, int layers, double tolerance) {
+  return {lattice_tank(solver, {10, 10, layers + 6}, tolerance),
+          block({9, 9, layers}, kSpacing, {kSpacing, kSpacing, kSpacing})};
+}
+
+HardWater sloshing_tank(const std::string& solver) {
+  std::vector<Float4> points = block({24, 5, 12}, kSpacing, {kSpacing, kSpacing, kSpacing});
+  // The surface slopes by a quarter: 12 layers at one end, 6 at the other.
+  std::erase_if(points, [](const Float4& p) { return p.z > 0.61F - 0.25F * p.x; });
+  return {lattice_tank(solver, {25, 6, 24}, 3e-4), points};
+}
+
+}  // namespace pelagos::hard
