@@ -15,11 +15,11 @@ def number(text):
 
 
 def read_table(path):
-    """Rows of a CSV file as dictionaries; none if there is no such file."""
+    """Rows of a CSV file as dictionaries; none if there is no such file. A last row that was cut off is left out."""
     if not os.path.exists(path):
         return []
     with open(path, newline="") as file:
-        return list(csv.DictReader(file))
+        return [row for row in csv.DictReader(file) if None not in row.values()]
 
 
 def read_experiment(path, series=None):
