@@ -241,5 +241,7 @@ def work_precision(results, folder):
         axis.title.set_fontsize(9)
         plain_ticks(axis.xaxis)
         plain_ticks(axis.yaxis)
-    axes[0][0].legend(title="● tolerance  □ step  △ resolution", title_fontsize=8, frameon=True, framealpha=0.85)
+    figure.get_layout_engine().set(rect=(0, 0.15, 1, 0.85))
+    figure.legend(*axes[0][0].get_legend_handles_labels(), loc="lower center", ncols=4,
+                  title="● tolerance  □ step  △ resolution", title_fontsize=8)
     return [(save(figure, folder, "work_precision"), "One knob turned at a time. Left and low is good.")]
