@@ -1,0 +1,69 @@
+#include "harness.hpp"
+
+namespace pelagos::validation {
+
+const std::vector<Case>& all_cases() {
+  static const std::vector<Case> cases = {
+      {"hydrostatic", "Hydrostatic column",
+       "A column 1 m deep stands for 5 s. The pressure of the particles over their height gives a straight line; its "
+       "value at the bottom and its slope are compared, the force on a side is summed up from probes along it. The "
+       "line is fitted two spacings off bottom and surface, the means are over the last second. The bottom is a mirror "
+       "or a wall of samples.",
+       "Closed form rho g H. A good code reaches 0.2 % at the bottom.", run_hydrostatic},
+      {"still_water", "Still water, deep",
+       "Water 30 particles deep at d = 1 m starts at rest from the lattice. What moves afterwards is the method's "
+       "noise: "
+       "rms speed from 15 to 30 s.",
+       "0. Hybrid, dfsph and pbf run with the viscosity that they need to stay calm, the default one without any.",
+       run_still_water},
+      {"standing_wave", "Standing wave",
+       "Half a wavelength between mirrors, as long as deep (k h = pi), released at rest. The amplitude is the "
+       "surface's "
+       "first Fourier mode.",
+       "Period: second-order theory of Tadjbakhsh and Keller (1960). Amplitude: no loss; the best other particle code "
+       "keeps 0.86 after 8.6 periods at h/d = 50 and a/h = 0.1.",
+       run_standing_wave},
+      {"travelling_wave", "Regular travelling wave",
+       "One wavelength in a periodic box, amplitude one spacing, over a mirror. What a long swell loses on its way to "
+       "the ship.",
+       "Linear theory; the start has closed orbits (Gerstner), for which its frequency holds at any height. Peers lose "
+       "15 to "
+       "27 % a period; hybrid, dfsph and pbf run with the viscosity that they need to stay calm.",
+       run_travelling_wave},
+      {"dam_break_front", "Dam break: the front",
+       "A column twice as high as wide runs along a frictionless floor. The front is the largest x of the water that "
+       "hangs together, plus half a spacing.",
+       "Martin and Moyce (1952), Koshizuka and Oka (1996); and the finest of our own runs, for convergence.",
+       run_dam_break_front},
+      {"dam_break_pressure", "Dam break: pressure on the far wall",
+       "A column 0.3 m high and 0.6 m long breaks and hits the wall at 1.61 m. Pressure there is the kernel-weighted "
+       "mean "
+       "of the particles within one support radius of the sensor.",
+       "Lobovsky et al. (2014), median and 2.5 to 97.5 % band of 100 repetitions. Without friction at walls every "
+       "particle front converges about 13 % too fast for theirs, so that refining does not help.",
+       run_dam_break_pressure},
+      {"taylor_green", "Taylor-Green vortices",
+       "A periodic box without gravity, Re = 100, from the lattice. The energy's decay rate is fitted from 0.1 to 1.5 "
+       "s. "
+       "The solver's pressures only push, so a vortex may open voids: the share of particles beside one is measured.",
+       "Energy decays as exp(-16 pi^2 t / Re).", run_taylor_green},
+      {"square_patch", "Rotating square patch",
+       "A square of water without gravity rotates as a solid. In truth its inside is under tension. Our pressures only "
+       "push, so nothing holds the patch together: energy and angular momentum do not notice, the areas do.",
+       "Energy rho w^2 L^4 / 12 at the start; energy, angular momentum and covered area constant.", run_square_patch},
+      {"paper_dam_break", "The paper's dam break",
+       "The paper's section VI.A: a box of 5L x 3L x 5L, a block of 1.6L x 1.5L x 2.0L, L = 1 m, 35,061 particles. The "
+       "names with -paper are its three methods as printed: damped Jacobi, clamped increments, cold start. The "
+       "tolerance, "
+       "which the paper does not give, is 0.01 % here.",
+       "Its figures 4 to 7 and the mean iterations in its text.", run_paper_dam_break},
+      {"work_precision", "Work and precision",
+       "Three small problems while one knob is turned: tolerance, time step, resolution. Wall time for a simulated "
+       "second "
+       "against the error.",
+       "Each other.", run_work_precision},
+  };
+  return cases;
+}
+
+}  // namespace pelagos::validation

@@ -1,0 +1,117 @@
+#include "travelling_wave.hpp"
+
+#include <cmath>
+#include <complex>
+
+#include "harness.hpp"
+#include "measures.hpp"
+#include "waves.hpp"
+
+namespace pelagos::validation {
+
+namespace {
+
+LinearWave linear_wave(const TravellingWave& wave, double gravity) {
+  return {2.0 * M_PI / wave.length, wave.depth, gravity};
+}
+
+}  // namespace
+
+WaterRun start_travelling(int threads, const TravellingWave& wave, const SolverChoice& solver) {
+  const double d = wave.spacing, width = wave.slice * d;
+  const FluidParameters parameters = tank_parameters({wave.length, width, 1.5 * wave.depth + 4.0 * wave.amplitude}, d,
+                                                     {Edge::kPeriodic, Edge::kPeriodic, Edge::kMirror});
+  Start start = fill_block(parameters, {wave.length, width, wave.depth});
+  start.velocities = start_wave(linear_wave(wave, parameters.gravity), wave.amplitude, false, start.positions);
+  return {threads, parameters, solver, start};
+}
+
+TravellingResult run_travelling(WaterRun& run, const TravellingWave& wave, int periods,
+                                const std::function<void(int, const TravellingResult&)>& each,
+                                const std::function<void(double)>& moved) {
+  const LinearWave linear = linear_wave(wave, run.state().parameters.gravity);
+  const auto mode = [&] {
+    return surface_mode(run.state().particles, run.state().parameters.volume(), linear.wavenumber, wave.length,
+                        wave.slice * wave.spacing);
+  };
+  const std::complex<double> first = mode();
+  TravellingResult result;
+  double phase = 0.0;
+  for (int n = 1; n <= periods; ++n) {
+    run.advance_to(n * linear.period(), [&] { moved(run.time() / (periods * linear.period())); });
+    const std::complex<double> now = mode();
+    // A wave that runs ahead turns the mode exp(-i k x) to negative angles. Less than half a period a period.
+    const double turned = -std::arg(now / first) / (2.0 * M_PI);
+    phase = turned + std::round(phase - turned);
+    result.amplitude = std::abs(now) / std::abs(first);
+    result.loss = 1.0 - std::pow(result.amplitude, 1.0 / n);
+    result.phase = phase / n;
+    result.noise = fit_velocity(linear, run.state().particles).noise;
+    each(n, result);
+  }
+  return result;
+}
+
+namespace {
+
+struct Setup {
+  const char* name;
+  TravellingWave wave;
+  bool quick, others;
+  double aim, bound;  ///< of the loss a period, %
+};
+
+// Bounds: three times the aim; peers and plain gradients lose 15 to 27 % a period.
+const Setup kSetups[] = {
+    {"length 60 d, depth 10 d", {60, 10, 1, 1, 6}, true, true, 1.0, 3.0},
+    {"length 60 d, depth 30 d", {60, 30, 1, 1, 6}, false, true, 1.0, 3.0},
+    {"length 30 d, depth 10 d", {30, 10, 1, 1, 6}, false, false, 1.5, 4.5},
+    {"length 20 d, depth 10 d", {20, 10, 1, 1, 6}, true, false, 2.0, 6.0},
+    {"the first at d/2", {60, 10, 1, 0.5, 6}, false, false, 1.0, 3.0},
+};
+
+void add_results(Session& session, const Subject& subject, int periods, const TravellingResult& r, const Goal& goal) {
+  const std::string after = " over " + std::to_string(periods) + " periods";
+  session.add(subject, {"loss a period" + after, 100.0 * r.loss, "%", "0; peers 15 to 27 %", goal});
+  session.add(subject,
+              {"phase error a period" + after, 100.0 * r.phase, "%", "w^2 = g k tanh(k h)", at_most(1.0, 3.0)});
+  session.add(subject, {"noise over orbital speed" + after, r.noise, "", "0"});
+}
+
+void run_one(Session& session, const Setup& setup, const Subject& subject) {
+  WaterRun run = start_travelling(session.options().threads, setup.wave, {subject.solver});
+  Series series = session.series(subject, "amplitude", "periods,amplitude,phase,noise");
+  series.add({0, 1, 0, 0});
+  const Goal goal = at_most(setup.aim, setup.bound);
+  const int periods = session.quick() ? 3 : 10;
+  const double energy = mechanical_energy(run);
+  (void)run_travelling(
+      run, setup.wave, periods,
+      [&](int n, const TravellingResult& r) {
+        series.add({static_cast<double>(n), r.amplitude, r.phase * n, r.noise});
+        if (n == 3 || n == 10) add_results(session, subject, n, r, goal);
+      },
+      [&](double share) { session.progress(subject, share); });
+  const FluidParameters& q = run.state().parameters;
+  const double wave_energy = 0.5 * q.rest_density * q.gravity * setup.wave.amplitude * setup.wave.amplitude *
+                             setup.wave.length * setup.wave.slice * setup.wave.spacing;
+  session.add(subject, {"mechanical energy gained in all", (mechanical_energy(run) - energy) / wave_energy,
+                        "of the wave's", "0"});
+  session.add_cost(subject, run.cost());
+}
+
+}  // namespace
+
+void run_travelling_wave(Session& session) {
+  for (const Setup& setup : kSetups) {
+    if (session.quick() && !setup.quick) continue;
+    std::vector<std::string> own{"corrected"};
+    if (setup.others) own = {"corrected", "hybrid", "dfsph", "pbf"};
+    for (const std::string& solver : session.solvers(own)) {
+      const Subject subject{"travelling_wave", setup.name, solver, setup.wave.spacing};
+      session.attempt(subject, [&] { run_one(session, setup, subject); });
+    }
+  }
+}
+
+}  // namespace pelagos::validation
