@@ -12,8 +12,8 @@ namespace pelagos {
 namespace {
 
 /// Stages that are pair loops, for the cost by pair and pass.
-constexpr Stage kPairStages[] = {Stage::kDensity, Stage::kDensitySolve, Stage::kCorrectGradients, Stage::kDivergenceSolve,
-                                 Stage::kFilter, Stage::kAcceleration};
+constexpr Stage kPairStages[] = {Stage::kDensity,         Stage::kDensitySolve, Stage::kCorrectGradients,
+                                 Stage::kDivergenceSolve, Stage::kFilter,       Stage::kAcceleration};
 
 /// Sums over the steps of a run.
 class Tally {

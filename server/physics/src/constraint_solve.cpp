@@ -49,9 +49,8 @@ class Solver {
         work_(work),
         passes_(passes),
         count_(problem.data->count),
-        arrays_{problem.gradients->alpha.data(), problem.source.data(), work.pressure.data(),
-                work.residual.data(),            work.direction.data(), work.image.data(),
-                work.displacement.data(),        work.trial.data()} {}
+        arrays_{problem.gradients->alpha.data(), problem.source.data(), work.pressure.data(),     work.residual.data(),
+                work.direction.data(),           work.image.data(),     work.displacement.data(), work.trial.data()} {}
 
   /// Pressure and displacement of the warm start (or zero), and the residual that they leave.
   Totals start(std::span<const float> memory, float share) {
@@ -226,7 +225,8 @@ SolveReport solve_constraint(TaskPool& pool, const ConstraintProblem& problem, c
   work.displacement.resize(padded);
   work.trial.resize(padded);
   Solver solver(pool, problem, work, pair_passes);
-  const Totals first = solver.start(memory, settings.method == SolveMethod::kPaper ? 0.0F : static_cast<float>(settings.warm_start));
+  const Totals first =
+      solver.start(memory, settings.method == SolveMethod::kPaper ? 0.0F : static_cast<float>(settings.warm_start));
   SolveReport report = iterate(solver, settings, first);
   report.converged = report.residual < settings.tolerance;
   solver.remember(memory);

@@ -20,8 +20,8 @@ namespace pelagos {
 
 namespace {
 
-/// Compression beyond this is not left to the repair alone: the velocity solve takes the share below of it out in a step.
-/// Calm water and waves never reach it; without it a breaking dam pressed single particles through sampled walls.
+/// Compression beyond this is not left to the repair alone: the velocity solve takes the share below of it out in a
+/// step. Calm water and waves never reach it; without it a breaking dam pressed single particles through sampled walls.
 constexpr float kCompressionAllowed = 0.01F, kCompressionShare = 0.2F;
 
 void repair_positions(TaskPool& pool, FluidState& state, StepReport& report) {

@@ -24,10 +24,11 @@ void solve_predicted_density(TaskPool& pool, FluidState& state, double dt, StepR
   compute_rate(pool, data, state.gradients, p.velocity, data.walls_move, state.source);
   ++report.pair_passes;
   const auto step = static_cast<float>(dt);
-  for_each_particle(pool, state, [&](std::size_t i) { state.source[i] = step * state.source[i] + p.density[i] - 1.0F; });
+  for_each_particle(pool, state,
+                    [&](std::size_t i) { state.source[i] = step * state.source[i] + p.density[i] - 1.0F; });
   const ConstraintProblem problem{&data, &state.gradients, state.source, warm_factor(state, dt)};
-  report.density = solve_constraint(pool, problem, state.parameters.density, p.density_pressure, state.work,
-                                    report.pair_passes);
+  report.density =
+      solve_constraint(pool, problem, state.parameters.density, p.density_pressure, state.work, report.pair_passes);
   report.capped = apply_correction(pool, state, {false, dt});
 }
 

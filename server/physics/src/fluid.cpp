@@ -55,7 +55,8 @@ FluidState make_fluid(TaskPool& pool, const FluidParameters& parameters, std::sp
   FluidState state;
   state.parameters = parameters;
   const Region region = grid_region(parameters);
-  state.fluid_grid = state.static_grid = state.moving_grid = state.ghosts.grid = CellGrid(region, parameters.support_radius);
+  state.fluid_grid = state.static_grid = state.moving_grid = state.ghosts.grid =
+      CellGrid(region, parameters.support_radius);
   place_particles(state.particles, positions);
   // At rest gravity is the only acceleration; the first step acts with it.
   std::fill(state.particles.acceleration.begin(), state.particles.acceleration.end(),

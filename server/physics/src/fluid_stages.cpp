@@ -93,8 +93,8 @@ void sort_particles(TaskPool& pool, FluidState& state) {
     permute(pool, state.order, p.divergence_pressure, state.sorted_scalar);
   permute(pool, state.order, p.id, state.sorted_id);
   if (!has_ghosts(state.parameters.edges)) return;
-  make_ghosts(pool, state.parameters.tank, state.parameters.edges,
-              static_cast<float>(state.parameters.support_radius), p.count, p.position, state.ghosts);
+  make_ghosts(pool, state.parameters.tank, state.parameters.edges, static_cast<float>(state.parameters.support_radius),
+              p.count, p.position, state.ghosts);
   if (p.velocity.size() < p.position.size()) p.velocity.resize(p.position.size());
   extend_velocities(pool, state);
 }
@@ -152,8 +152,8 @@ void solve_density(TaskPool& pool, FluidState& state, float warm_factor, StepRep
   const PairData data = pair_data(state);
   for_each_particle(pool, state, [&](std::size_t i) { state.source[i] = p.density[i] - 1.0F; });
   const ConstraintProblem problem{&data, &state.gradients, state.source, warm_factor};
-  report.density = solve_constraint(pool, problem, state.parameters.density, p.density_pressure, state.work,
-                                    report.pair_passes);
+  report.density =
+      solve_constraint(pool, problem, state.parameters.density, p.density_pressure, state.work, report.pair_passes);
 }
 
 std::uint32_t apply_correction(TaskPool& pool, FluidState& state, const CorrectionTargets& targets) {
@@ -199,8 +199,7 @@ void solve_divergence(TaskPool& pool, FluidState& state, double dt, StepReport& 
     state.source[i] = step * (clamped ? std::max(state.source[i], 0.0F) : state.source[i]);
   });
   const ConstraintProblem problem{&data, &state.gradients, state.source, 0.0F};
-  report.divergence =
-      solve_constraint(pool, problem, settings, p.divergence_pressure, state.work, report.pair_passes);
+  report.divergence = solve_constraint(pool, problem, settings, p.divergence_pressure, state.work, report.pair_passes);
   apply_correction(pool, state, {false, dt});
 }
 

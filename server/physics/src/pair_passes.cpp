@@ -80,9 +80,8 @@ struct Symmetric {
   FloatV xx, xy, xz, yy, yz, zz;
 };
 HWY_INLINE Vec3 multiply(const Symmetric& m, const Vec3& v) {
-  const auto row = [&](FloatV a, FloatV b, FloatV c) HWY_ATTR {
-    return hn::MulAdd(a, v.x, hn::MulAdd(b, v.y, hn::Mul(c, v.z)));
-  };
+  const auto row = [&](FloatV a, FloatV b, FloatV c)
+                       HWY_ATTR { return hn::MulAdd(a, v.x, hn::MulAdd(b, v.y, hn::Mul(c, v.z))); };
   return {row(m.xx, m.xy, m.xz), row(m.xy, m.yy, m.yz), row(m.xz, m.yz, m.zz)};
 }
 
@@ -116,9 +115,8 @@ constexpr float kWallShare = 0.1F;
 HWY_INLINE void store_correction(const Symmetric& m, FloatV walls, Float4* first, Float4* second) {
   const FloatTag d;
   const FloatV one = hn::Set(d, 1.0F), zero = hn::Zero(d);
-  const auto minor = [](FloatV a, FloatV b, FloatV c, FloatV e) HWY_ATTR {
-    return hn::Sub(hn::Mul(a, b), hn::Mul(c, e));
-  };
+  const auto minor = [](FloatV a, FloatV b, FloatV c, FloatV e)
+                         HWY_ATTR { return hn::Sub(hn::Mul(a, b), hn::Mul(c, e)); };
   const FloatV cxx = minor(m.yy, m.zz, m.yz, m.yz), cxy = minor(m.xz, m.yz, m.xy, m.zz),
                cxz = minor(m.xy, m.yz, m.xz, m.yy), cyy = minor(m.xx, m.zz, m.xz, m.xz),
                cyz = minor(m.xy, m.xz, m.xx, m.yz), czz = minor(m.xx, m.yy, m.xy, m.xy);
@@ -128,9 +126,9 @@ HWY_INLINE void store_correction(const Symmetric& m, FloatV walls, Float4* first
   const FloatV w = hn::Mul(away, hn::Mul(hn::Mul(t, t), hn::NegMulAdd(hn::Set(d, 2.0F), t, hn::Set(d, 3.0F))));
   const FloatV rest = hn::Sub(one, w);
   const FloatV factor = hn::Div(w, hn::Max(det, hn::Set(d, 0.04F)));
-  store_records({hn::MulAdd(cxx, factor, rest), hn::Mul(cxy, factor), hn::Mul(cxz, factor),
-                 hn::MulAdd(cyy, factor, rest)},
-                first);
+  store_records(
+      {hn::MulAdd(cxx, factor, rest), hn::Mul(cxy, factor), hn::Mul(cxz, factor), hn::MulAdd(cyy, factor, rest)},
+      first);
   store_records({hn::Mul(cyz, factor), hn::MulAdd(czz, factor, rest), w, zero}, second);
 }
 
@@ -153,9 +151,9 @@ HWY_INLINE void add_moments(const PairGeometry& pair, const Vec3& g, FloatV scal
 }
 
 template <bool kMoments>
-HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_group, std::size_t last_group,
-                                    float* delta, float* alpha, Float4* sum, Float4* wall, void* cache_words,
-                                    Float4* first, Float4* second) {
+HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_group, std::size_t last_group, float* delta,
+                                    float* alpha, Float4* sum, Float4* wall, void* cache_words, Float4* first,
+                                    Float4* second) {
   const FloatTag d;
   auto* cache = static_cast<CachedGradient*>(cache_words);
   const KernelScales scales = kernel_scales(data);
@@ -383,9 +381,9 @@ void filter_groups(const PairData& data, std::size_t first_group, std::size_t la
         add(own_y, gather_records(row_y, index), sum.y);
         add(own_z, gather_records(row_z, index), sum.z);
       }
-      store_records({hn::Mul(sum.x, scales.value), hn::Mul(sum.y, scales.value), hn::Mul(sum.z, scales.value),
-                     hn::Zero(d)},
-                    change + i);
+      store_records(
+          {hn::Mul(sum.x, scales.value), hn::Mul(sum.y, scales.value), hn::Mul(sum.z, scales.value), hn::Zero(d)},
+          change + i);
       hn::StoreU(hn::MulAdd(density, scales.value, wall_density(data, scales, own, group, lane)), d, delta + i);
     });
 }
@@ -413,9 +411,9 @@ void acceleration_groups(const PairData& data, std::size_t first_group, std::siz
         const FloatV factor = hn::Div(hn::Mul(kernel.gradient_factor, approach), hn::Add(pair.r_squared, softening));
         add_to(sum, scaled(pair, factor));
       }
-      store_records({hn::Mul(sum.x, scale), hn::Mul(sum.y, scale), hn::MulAdd(sum.z, scale, hn::Set(d, -gravity)),
-                     hn::Zero(d)},
-                    acceleration + i);
+      store_records(
+          {hn::Mul(sum.x, scale), hn::Mul(sum.y, scale), hn::MulAdd(sum.z, scale, hn::Set(d, -gravity)), hn::Zero(d)},
+          acceleration + i);
       if (delta)
         hn::StoreU(hn::MulAdd(weight, scales.value, wall_density(data, scales, own, group, lane)), d, delta + i);
     });
@@ -549,8 +547,8 @@ void compute_velocity_gradients(TaskPool& pool, const PairData& data, const Grad
   if (data.ghosts) extend_gradients(pool, *data.ghosts, out);
 }
 
-void compute_filter(TaskPool& pool, const PairData& data, const VelocityGradients& gradients,
-                    std::span<Float4> change, std::span<float> delta) {
+void compute_filter(TaskPool& pool, const PairData& data, const VelocityGradients& gradients, std::span<Float4> change,
+                    std::span<float> delta) {
   for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
     HWY_DYNAMIC_DISPATCH(filter_groups)
     (data, first, last, gradients.row[0].data(), gradients.row[1].data(), gradients.row[2].data(), change.data(),

@@ -26,12 +26,12 @@ enum class Scheme {
 };
 
 struct FluidParameters {
-  double spacing = 0.05;         ///< d, m
-  double support_radius = 0.1;   ///< m, 2 d
-  double rest_density = 1000.0;  ///< kg/m^3
-  double viscosity = 0.01;       ///< m^2/s
-  double gravity = 9.81;         ///< m/s^2, along -z
-  Region tank;                   ///< m, local
+  double spacing = 0.05;                                             ///< d, m
+  double support_radius = 0.1;                                       ///< m, 2 d
+  double rest_density = 1000.0;                                      ///< kg/m^3
+  double viscosity = 0.01;                                           ///< m^2/s
+  double gravity = 9.81;                                             ///< m/s^2, along -z
+  Region tank;                                                       ///< m, local
   std::array<Edge, 3> edges{Edge::kWall, Edge::kWall, Edge::kWall};  ///< how the faces across x, y, z close the tank
   Scheme scheme = Scheme::kHybrid;
   double filter = 3.0;  ///< corrected scheme: strength of the velocity filter, no unit
@@ -48,7 +48,7 @@ struct FluidState {
   BoundaryParticles walls;       ///< static samples first (cell order), moving ones after them (cell order)
   std::size_t static_walls = 0;  ///< how many of `walls` never move
   std::vector<Float4> moving_position, moving_velocity;  ///< as placed by whoever moves the bodies; V_b in w
-  double last_dt = 0.0;            ///< s; 0 before the first step
+  double last_dt = 0.0;                                  ///< s; 0 before the first step
   bool gradients_present = false;  ///< lists and gradients belong to the present positions (dfsph needs them)
   bool density_present = false;    ///< the densities do; else start_acceleration computes them
 
@@ -56,9 +56,9 @@ struct FluidState {
   CellGrid fluid_grid, static_grid, moving_grid;
   Ghosts ghosts;
   Gradients gradients;
-  Corrections corrections;              ///< corrected scheme only
+  Corrections corrections;               ///< corrected scheme only
   VelocityGradients velocity_gradients;  ///< corrected scheme only
-  std::vector<Float4> filter_change;    ///< corrected scheme only
+  std::vector<Float4> filter_change;     ///< corrected scheme only
   std::vector<float> source;
   SolveWorkspace work;
   std::vector<std::uint32_t> order;

@@ -25,10 +25,10 @@ enum class Edge : std::uint8_t {
 /// radius across: only the nearest image on either side is made.
 struct Ghosts {
   std::size_t count = 0;
-  std::size_t begin = 0;               ///< place of the first one in the arrays
-  std::vector<std::uint32_t> source;   ///< [count] the particle that each is an image of
-  std::vector<Float4> sign, offset;    ///< [count] image position = sign * position + offset, velocity = sign * velocity
-  CellGrid grid;                       ///< holds them in cell order
+  std::size_t begin = 0;              ///< place of the first one in the arrays
+  std::vector<std::uint32_t> source;  ///< [count] the particle that each is an image of
+  std::vector<Float4> sign, offset;   ///< [count] image position = sign * position + offset, velocity = sign * velocity
+  CellGrid grid;                      ///< holds them in cell order
 
   [[nodiscard]] bool empty() const { return count == 0; }
 };

@@ -36,12 +36,12 @@ struct GradientCache {
 
 /// The discrete J of one state, as both constraints need it.
 struct Gradients {
-  GradientCache own;              ///< a_ij
-  GradientCache other;            ///< -a_ji where that differs from a_ij, else unused
-  bool corrected = false;         ///< whether `other` is used
-  std::vector<Float4> sum;        ///< [padded] x, y, z: S_i, 1/m
-  std::vector<Float4> wall;       ///< [padded] x, y, z: sum_b a_ib (1/m); w: sum_b v_b.a_ib (1/s)
-  std::vector<float> alpha;       ///< [padded] m^2; 0 for a particle without neighbours
+  GradientCache own;         ///< a_ij
+  GradientCache other;       ///< -a_ji where that differs from a_ij, else unused
+  bool corrected = false;    ///< whether `other` is used
+  std::vector<Float4> sum;   ///< [padded] x, y, z: S_i, 1/m
+  std::vector<Float4> wall;  ///< [padded] x, y, z: sum_b a_ib (1/m); w: sum_b v_b.a_ib (1/s)
+  std::vector<float> alpha;  ///< [padded] m^2; 0 for a particle without neighbours
 };
 
 /// Symmetric matrices B_i (no unit), as two records that pair loops gather.
@@ -58,10 +58,10 @@ struct PairData {
   const NeighborList* boundary = nullptr;
   const BoundaryParticles* walls = nullptr;
   const Ghosts* ghosts = nullptr;  ///< null without images
-  bool walls_move = false;   ///< false: wall velocities are not even read
-  float support_radius = 0;  ///< m
-  float volume = 0;          ///< m^3, V
-  float spacing = 0;         ///< m, d
+  bool walls_move = false;         ///< false: wall velocities are not even read
+  float support_radius = 0;        ///< m
+  float volume = 0;                ///< m^3, V
+  float spacing = 0;               ///< m, d
 };
 
 /// Density and plain gradients of every particle.
@@ -70,10 +70,10 @@ void compute_density(TaskPool& pool, const PairData& data, std::span<float> delt
 /// The same, and the correction matrices:
 ///   M_i = -sum_j V x_ij grad W_ij^T - sum_b V_b x_ib grad W_ib^T,   B_i = w M_i^-1 + (1 - w) I,
 ///   w = smoothstep((det M_i - 0.05) / 0.15) max(0, 1 - 10 s_i sum_b V_b W_ib),
-/// where s_i is how steep the wall is, 0 for a level floor and 1 for an upright one. Particles with hardly any neighbours
-/// stay uncorrected, and those at steep sampled walls: the corrected J is the change of no density, so a flow that it
-/// lets pass may compress the water, and the repair then lifts for ever what runs down along the wall (still water 15
-/// layers deep between such walls gained 5 % of its energy, with this 0.1 %).
+/// where s_i is how steep the wall is, 0 for a level floor and 1 for an upright one. Particles with hardly any
+/// neighbours stay uncorrected, and those at steep sampled walls: the corrected J is the change of no density, so a
+/// flow that it lets pass may compress the water, and the repair then lifts for ever what runs down along the wall
+/// (still water 15 layers deep between such walls gained 5 % of its energy, with this 0.1 %).
 void compute_corrections(TaskPool& pool, const PairData& data, std::span<float> delta, Gradients& gradients,
                          Corrections& corrections);
 
@@ -100,8 +100,8 @@ void compute_velocity_gradients(TaskPool& pool, const PairData& data, const Grad
 /// What the filter takes out of the velocities: sum_j V W_ij [v_j - v_i + (G_i + G_j)/2 (x_i - x_j)], m/s. Zero for
 /// velocities that are linear in space; antisymmetric in each pair, so momentum stays. The pass has the kernel at hand,
 /// so it gives the densities at these positions as well.
-void compute_filter(TaskPool& pool, const PairData& data, const VelocityGradients& gradients,
-                    std::span<Float4> change, std::span<float> delta);
+void compute_filter(TaskPool& pool, const PairData& data, const VelocityGradients& gradients, std::span<Float4> change,
+                    std::span<float> delta);
 
 /// Gravity and viscosity: a = g + nu 2 (dim + 2) sum_j V (v_ij . x_ij) / (x_ij^2 + 0.01 R^2) grad W_ij   (paper eq. 6,
 /// 7). Walls are free of friction. @param delta  out, the densities at these positions; may be empty

@@ -8,16 +8,16 @@ namespace pelagos {
 
 /// The stages of a time step, in order; the profile and the algorithm share their names.
 enum class Stage : std::uint8_t {
-  kBodies,           ///< place the samples of moving bodies
-  kPredict,          ///< v* = v + dt a, x* = x + dt v*
-  kSort,             ///< cell sort of fluid and moving samples
-  kNeighbors,        ///< neighbour lists
-  kDensity,          ///< delta, alpha and gradients at x*
-  kDensitySolve,     ///< position-based density constraint
-  kCorrectGradients, ///< plain gradients to corrected ones
-  kDivergenceSolve,  ///< divergence-free velocity
-  kFilter,           ///< noise of single particles out of the velocities
-  kAcceleration,     ///< gravity and viscosity
+  kBodies,            ///< place the samples of moving bodies
+  kPredict,           ///< v* = v + dt a, x* = x + dt v*
+  kSort,              ///< cell sort of fluid and moving samples
+  kNeighbors,         ///< neighbour lists
+  kDensity,           ///< delta, alpha and gradients at x*
+  kDensitySolve,      ///< position-based density constraint
+  kCorrectGradients,  ///< plain gradients to corrected ones
+  kDivergenceSolve,   ///< divergence-free velocity
+  kFilter,            ///< noise of single particles out of the velocities
+  kAcceleration,      ///< gravity and viscosity
   kWind,
   kMeasure,  ///< errors, energy, largest speed
   kSurface,  ///< surface set and anisotropy, on frame steps only
@@ -25,8 +25,8 @@ enum class Stage : std::uint8_t {
 };
 inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::kCount);
 inline constexpr std::array<const char*, kStageCount> kStageNames = {
-    "bodies",        "predict",          "sort",         "neighbors", "density", "density_solve",
-    "correct_gradients", "divergence_solve", "filter", "acceleration", "wind",      "measure", "surface"};
+    "bodies",           "predict", "sort",         "neighbors", "density", "density_solve", "correct_gradients",
+    "divergence_solve", "filter",  "acceleration", "wind",      "measure", "surface"};
 
 /// Wall time for each stage. Physics has no clock of its own: the caller gives one (null: nothing is timed).
 using Clock = std::int64_t (*)();  ///< ns from any fixed origin, monotonic
