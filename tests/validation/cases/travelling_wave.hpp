@@ -6,11 +6,13 @@
 
 namespace pelagos::validation {
 
-/// A regular wave of one wavelength in a box that is periodic along it, over a mirror.
+/// A regular wave of one wavelength in a box that is periodic along it, over a mirror or a sampled floor.
 struct TravellingWave {
   double length = 60, depth = 10, amplitude = 1;  ///< m
   double spacing = 1;                             ///< m
   double slice = 6;                               ///< width in spacings
+  bool sampled_floor = false;                     ///< particles instead of a mirror under it
+  double viscosity = -1.0;                        ///< m^2/s; negative: the solver's default
 };
 
 struct TravellingResult {
