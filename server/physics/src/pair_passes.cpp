@@ -107,10 +107,10 @@ HWY_INLINE void store_gradient_sums(const PairData& data, const GradientSums& fl
   store_records({wall.x, wall.y, wall.z, wall_rate}, wall_out + i);
 }
 
-/// The correction ends where steep walls make up this share of the density.
+/// The correction ends where walls make up this share of the density.
 constexpr float kWallShare = 0.1F;
 
-/// The inverse of M blended into the unit matrix where M is nearly singular and at steep walls. Weight as in
+/// The inverse of M blended into the unit matrix where M is nearly singular and at walls. Weight as in
 /// compute_corrections.
 HWY_INLINE void store_correction(const Symmetric& m, FloatV walls, Float4* first, Float4* second) {
   const FloatTag d;
@@ -130,13 +130,6 @@ HWY_INLINE void store_correction(const Symmetric& m, FloatV walls, Float4* first
       {hn::MulAdd(cxx, factor, rest), hn::Mul(cxy, factor), hn::Mul(cxz, factor), hn::MulAdd(cyy, factor, rest)},
       first);
   store_records({hn::Mul(cyz, factor), hn::MulAdd(czz, factor, rest), w, zero}, second);
-}
-
-/// How steep the walls are that push along g: 0 over a level floor, 1 at an upright wall.
-HWY_INLINE FloatV steepness(const Vec3& g) {
-  const FloatTag d;
-  const FloatV across = hn::MulAdd(g.x, g.x, hn::Mul(g.y, g.y));
-  return hn::Div(across, hn::Add(hn::MulAdd(g.z, g.z, across), hn::Set(d, 1e-20F)));
 }
 
 /// M -= scale x g^T, which is symmetric because g is along x.
@@ -196,8 +189,7 @@ HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_grou
       }
       hn::StoreU(hn::MulAdd(weight, scales.value, wall_density), d, delta + i);
       store_gradient_sums(data, sums, wall_sum, rate, i, sum, wall, alpha);
-      if constexpr (kMoments)
-        store_correction(moments, hn::Mul(wall_density, steepness(wall_sum)), first + i, second + i);
+      if constexpr (kMoments) store_correction(moments, wall_density, first + i, second + i);
     });
 }
 
