@@ -65,7 +65,7 @@ TEST(ShippedScenes, StillWaterIsSmall) { EXPECT_EQ(particle_count(load("still_wa
 
 TEST(ShippedScenes, BridgeCarriesTheOwnShip) {
   const Scene scene = load("bridge.scene");
-  EXPECT_EQ(particle_count(scene), 23305);
+  EXPECT_EQ(particle_count(scene), 24000);
   EXPECT_EQ(scene.particle_spacing, 1.0);
   ASSERT_EQ(scene.bodies.size(), 1u);
   EXPECT_EQ(scene.bodies[0].id, 1u);
