@@ -69,10 +69,11 @@ void compute_density(TaskPool& pool, const PairData& data, std::span<float> delt
 
 /// The same, and the correction matrices:
 ///   M_i = -sum_j V x_ij grad W_ij^T - sum_b V_b x_ib grad W_ib^T,   B_i = w M_i^-1 + (1 - w) I,
-///   w = smoothstep((det M_i - 0.05) / 0.15) max(0, 1 - 10 sum_b V_b W_ib), so that particles with hardly any neighbours
-/// stay uncorrected, and those at sampled walls too: the corrected J is the change of no density, so a flow that it lets
-/// pass may compress the water, and between walls the repair then lifts for ever what runs down along them (still water
-/// 15 layers deep gained 5 % of its energy, 60 layers 12 %; with this 0.1 %).
+///   w = smoothstep((det M_i - 0.05) / 0.15) max(0, 1 - 10 sum_b V_b W_ib), so that particles with hardly any
+///   neighbours
+/// stay uncorrected, and those at sampled walls too: the corrected J is the change of no density, so a flow that it
+/// lets pass may compress the water, and between walls the repair then lifts for ever what runs down along them (still
+/// water 15 layers deep gained 5 % of its energy, 60 layers 12 %; with this 0.1 %).
 void compute_corrections(TaskPool& pool, const PairData& data, std::span<float> delta, Gradients& gradients,
                          Corrections& corrections);
 
