@@ -64,6 +64,15 @@ inline std::vector<Float4> random_vectors(std::size_t count, double bound, std::
   return vectors;
 }
 
+/// The points in the order of their cells, padded with far ones.
+inline std::vector<Float4> sorted(TaskPool& pool, CellGrid& by, std::span<const Float4> points,
+                                  std::vector<std::uint32_t>& order) {
+  by.sort(pool, points, order);
+  std::vector<Float4> out(padded_count(points.size()), Float4{1e9F, 1e9F, 1e9F, 0});
+  for (std::size_t k = 0; k < points.size(); ++k) out[k] = points[order[k]];
+  return out;
+}
+
 /// Fluid and wall points, sorted and with neighbour lists: all that a pair pass needs. The order is the sorted one.
 class PairScene {
  public:
@@ -131,15 +140,6 @@ class PairScene {
   Gradients gradients;
   std::vector<float> delta;
   PairData data;
-
- private:
-  static std::vector<Float4> sorted(TaskPool& pool, CellGrid& by, std::span<const Float4> points,
-                                    std::vector<std::uint32_t>& order) {
-    by.sort(pool, points, order);
-    std::vector<Float4> out(padded_count(points.size()), Float4{1e9F, 1e9F, 1e9F, 0});
-    for (std::size_t k = 0; k < points.size(); ++k) out[k] = points[order[k]];
-    return out;
-  }
 };
 
 /// Cubic spline in double precision, written by pieces (Monaghan 1992): independent of the library's form.

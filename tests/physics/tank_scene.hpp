@@ -96,15 +96,6 @@ class TankScene {
   Gradients gradients;
   std::vector<float> delta;
   PairData data;
-
- private:
-  static std::vector<Float4> sorted(TaskPool& pool, CellGrid& by, std::span<const Float4> points,
-                                    std::vector<std::uint32_t>& order) {
-    by.sort(pool, points, order);
-    std::vector<Float4> out(padded_count(points.size()), Float4{1e9F, 1e9F, 1e9F, 0});
-    for (std::size_t k = 0; k < points.size(); ++k) out[k] = points[order[k]];
-    return out;
-  }
 };
 
 /// Particles of a lattice that fills the tank at d/2, 3d/2, ..., jittered.

@@ -46,9 +46,7 @@ void correct_gradients(TaskPool& pool, FluidState& state, StepReport& report) {
 void solve_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& report) {
   FluidParticles& p = state.particles;
   const PairData data = pair_data(state);
-  extend_velocities(pool, state);
-  compute_rate(pool, data, state.gradients, p.velocity, data.walls_move, state.source);
-  ++report.pair_passes;
+  rate_of_density(pool, state, report);
   const auto step = static_cast<float>(dt);
   for_each_particle(pool, state, [&](std::size_t i) {
     const float compressed = std::max(p.density[i] - 1.0F - kCompressionAllowed, 0.0F);

@@ -20,9 +20,7 @@ void refresh_all(TaskPool& pool, FluidState& state, Clock clock, StepReport& rep
 void solve_predicted_density(TaskPool& pool, FluidState& state, double dt, StepReport& report) {
   FluidParticles& p = state.particles;
   const PairData data = pair_data(state);
-  extend_velocities(pool, state);
-  compute_rate(pool, data, state.gradients, p.velocity, data.walls_move, state.source);
-  ++report.pair_passes;
+  rate_of_density(pool, state, report);
   const auto step = static_cast<float>(dt);
   for_each_particle(pool, state,
                     [&](std::size_t i) { state.source[i] = step * state.source[i] + p.density[i] - 1.0F; });

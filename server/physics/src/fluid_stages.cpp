@@ -185,13 +185,18 @@ double mean_compression(TaskPool& pool, const FluidState& state) {
   return total / static_cast<double>(std::max<std::size_t>(p.count, 1));
 }
 
+void rate_of_density(TaskPool& pool, FluidState& state, StepReport& report) {
+  const PairData data = pair_data(state);
+  extend_velocities(pool, state);
+  compute_rate(pool, data, state.gradients, state.particles.velocity, data.walls_move, state.source);
+  ++report.pair_passes;
+}
+
 void solve_divergence(TaskPool& pool, FluidState& state, double dt, StepReport& report) {
   FluidParticles& p = state.particles;
   const PairData data = pair_data(state);
   const SolveSettings& settings = state.parameters.divergence;
-  extend_velocities(pool, state);
-  compute_rate(pool, data, state.gradients, p.velocity, data.walls_move, state.source);
-  ++report.pair_passes;
+  rate_of_density(pool, state, report);
   const auto step = static_cast<float>(dt);
   // Literal: only what closes in is a source (Bender and Koschier 2015).
   const bool clamped = settings.method == SolveMethod::kPaper;

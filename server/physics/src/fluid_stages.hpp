@@ -45,6 +45,8 @@ struct CorrectionTargets {
 std::uint32_t apply_correction(TaskPool& pool, FluidState& state, const CorrectionTargets& targets);
 /// Mean of max(delta - 1, 0) over the particles.
 [[nodiscard]] double mean_compression(TaskPool& pool, const FluidState& state);
+/// source = J v of the present velocities, the walls' own included, 1/s.
+void rate_of_density(TaskPool& pool, FluidState& state, StepReport& report);
 /// A velocity without divergence: source = dt J v, cold.
 void solve_divergence(TaskPool& pool, FluidState& state, double dt, StepReport& report);
 
