@@ -49,7 +49,7 @@ Reference reference(const PairScene& scene, std::size_t i, std::span<const Float
     out.rate += dot(v, g);
     out.rate_size += std::sqrt(dot(v, v) * dot(g, g));
     const double both = p_i + static_cast<double>(pressure[j]);
-    const double viscous = 10.0 * dot(v, x) / (r2 + 0.01 * scene.radius * scene.radius);
+    const double viscous = 10.0 * dot(v, x) / (r2 + 1e-6 * scene.radius * scene.radius);
     for (std::size_t a = 0; a < 3; ++a) {
       gradient_sum[a] += g[a];
       out.push[a] -= both * g[a];

@@ -386,7 +386,7 @@ void acceleration_groups(const PairData& data, std::size_t first_group, std::siz
   const KernelScales scales = kernel_scales(data);
   const float squared = data.support_radius * data.support_radius;
   const FloatV scale = hn::Mul(hn::Set(d, viscosity * 10.0F / data.spacing), scales.gradient_spacing);
-  const FloatV softening = hn::Set(d, 0.01F * squared);
+  const FloatV softening = hn::Set(d, 1e-6F * squared);  // only against 0/0
   for (std::size_t group = first_group; group < last_group; ++group)
     for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
       const Vec4 own = load_records(data.position + i), own_velocity = load_records(velocity + i);

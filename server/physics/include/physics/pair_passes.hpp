@@ -103,8 +103,10 @@ void compute_velocity_gradients(TaskPool& pool, const PairData& data, const Grad
 void compute_filter(TaskPool& pool, const PairData& data, const VelocityGradients& gradients, std::span<Float4> change,
                     std::span<float> delta);
 
-/// Gravity and viscosity: a = g + nu 2 (dim + 2) sum_j V (v_ij . x_ij) / (x_ij^2 + 0.01 R^2) grad W_ij   (paper eq. 6,
-/// 7). Walls are free of friction. @param delta  out, the densities at these positions; may be empty
+/// Gravity and viscosity: a = g + nu 2 (dim + 2) sum_j V (v_ij . x_ij) / (x_ij^2 + 1e-6 R^2) grad W_ij   (paper eq. 6,
+/// 7, which add 0.01 R^2 below the line: that alone takes 4 % of the viscosity at support 2 d). A fresh lattice of that
+/// support resists a shear along its axes with 0.71 nu, disordered particles with about 0.95 nu. Walls are free of
+/// friction. @param delta  out, the densities at these positions; may be empty
 void compute_acceleration(TaskPool& pool, const PairData& data, std::span<const Float4> velocity, float viscosity,
                           float gravity, std::span<Float4> acceleration, std::span<float> delta = {});
 
