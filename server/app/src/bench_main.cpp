@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bench_limits.hpp"
 #include "bench_run.hpp"
 #include "machine.hpp"
 #include "physics/neighbor_search.hpp"
@@ -23,10 +24,22 @@ struct RunArguments {
   std::optional<double> tolerance, spacing;
   std::string json_file, instruction_set;
   BenchOptions options;
+  int limit_steps = 100;  ///< of `limits`, before it measures
 };
 
+/// What both subcommands know.
+void add_common_options(CLI::App& command, RunArguments& arguments) {
+  command.add_option("--scene", arguments.scene_file, "Scene file")->required();
+  command.add_option("--spacing", arguments.spacing, "Particle spacing, m (default: the scene's)")
+      ->check(CLI::Range(1e-3, 100.0));
+  command.add_option("--threads", arguments.options.threads, "Threads (default: all)")->check(CLI::Range(1, 256));
+  command.add_option("--instruction-set", arguments.instruction_set, "Use no more than this")
+      ->check(CLI::IsMember({"baseline", "sse4", "avx2", "avx512"}));
+  command.add_option("--json", arguments.json_file, "Write the result there (default: standard output)");
+}
+
 void add_run_options(CLI::App& run, RunArguments& arguments) {
-  run.add_option("--scene", arguments.scene_file, "Scene file")->required();
+  add_common_options(run, arguments);
   run.add_option("--solver", arguments.solver, "Solver (default: the scene's)")->check(CLI::IsMember(solver_names()));
   run.add_option(
          "--tolerance", arguments.tolerance,
@@ -36,13 +49,7 @@ void add_run_options(CLI::App& run, RunArguments& arguments) {
   run.add_option("--seconds", arguments.options.seconds, "Simulated seconds")->check(CLI::Range(1e-3, 1e6));
   run.add_option("--steps", arguments.options.steps, "So many time steps instead of --seconds")
       ->check(CLI::Range(1, 100000000));
-  run.add_option("--spacing", arguments.spacing, "Particle spacing, m (default: the scene's)")
-      ->check(CLI::Range(1e-3, 100.0));
-  run.add_option("--threads", arguments.options.threads, "Threads (default: all)")->check(CLI::Range(1, 256));
-  run.add_option("--instruction-set", arguments.instruction_set, "Use no more than this")
-      ->check(CLI::IsMember({"baseline", "sse4", "avx2", "avx512"}));
   run.add_flag("--surface", arguments.options.surface, "Also extract the surface at each frame, as the server does");
-  run.add_option("--json", arguments.json_file, "Write the result there (default: standard output)");
 }
 
 nlohmann::ordered_json to_json(const Scene& scene, const RunArguments& arguments, const BenchResult& r) {
@@ -101,11 +108,50 @@ std::optional<Scene> prepare_scene(const RunArguments& arguments) {
   return scene;
 }
 
-int run(RunArguments& arguments) {
-  if (!arguments.instruction_set.empty() && !limit_instruction_set(arguments.instruction_set.c_str())) {
-    std::cerr << "pelagos-bench: --instruction-set " << arguments.instruction_set << ": this machine has no such set\n";
-    return 1;
+/// To the file, or to standard output without one. Returns false if it cannot be written (reported).
+bool write_json(const nlohmann::ordered_json& json, const std::string& file_name) {
+  const std::string text = json.dump(2);
+  if (file_name.empty()) {
+    std::cout << text << '\n';
+    return true;
   }
+  std::ofstream file(file_name);
+  file << text << '\n';
+  file.close();
+  if (!file) std::cerr << "pelagos-bench: cannot write " << file_name << ": check the folder and the space left\n";
+  return static_cast<bool>(file);
+}
+
+/// Returns false if this machine lacks the instruction set asked for (reported).
+bool choose_instruction_set(const std::string& name) {
+  if (name.empty() || limit_instruction_set(name.c_str())) return true;
+  std::cerr << "pelagos-bench: --instruction-set " << name << ": this machine has no such set\n";
+  return false;
+}
+
+int limits(RunArguments& arguments) {
+  if (!choose_instruction_set(arguments.instruction_set)) return 1;
+  const std::optional<Scene> scene = prepare_scene(arguments);
+  if (!scene) return 1;
+  const BenchLimits r = measure_limits(*scene, arguments.options.threads, arguments.limit_steps);
+  const Machine machine = describe_machine();
+  nlohmann::ordered_json json;
+  json["scene"] = scene->name;
+  json["particles"] = r.particles;
+  json["slots"] = r.slots;
+  json["threads"] = arguments.options.threads;
+  json["instruction_set"] = machine.instruction_set;
+  json["processor"] = machine.processor;
+  json["multiply_add_gflops"] = r.multiply_add_gflops;
+  json["memory_read_gb_s"] = r.memory_read_gb_s;
+  json["pass_bytes"] = r.pass_bytes;
+  json["cached_read_gb_s"] = r.cached_read_gb_s;
+  json["gather_ns_per_slot"] = r.gather_ns_per_slot;
+  return write_json(json, arguments.json_file) ? 0 : 1;
+}
+
+int run(RunArguments& arguments) {
+  if (!choose_instruction_set(arguments.instruction_set)) return 1;
   const std::optional<Scene> scene = prepare_scene(arguments);
   if (!scene) return 1;
   const bool terminal = isatty(STDERR_FILENO) == 1;
@@ -118,18 +164,7 @@ int run(RunArguments& arguments) {
   };
   const BenchResult result = run_bench(*scene, arguments.options, progress);
   if (terminal) std::fputs("\r\033[K", stderr);
-  const std::string text = to_json(*scene, arguments, result).dump(2);
-  if (arguments.json_file.empty()) {
-    std::cout << text << '\n';
-  } else {
-    std::ofstream file(arguments.json_file);
-    file << text << '\n';
-    file.close();
-    if (!file) {
-      std::cerr << "pelagos-bench: cannot write " << arguments.json_file << ": check the folder and the space left\n";
-      return 1;
-    }
-  }
+  if (!write_json(to_json(*scene, arguments, result), arguments.json_file)) return 1;
   return result.not_finite_peak == 0 ? 0 : 2;
 }
 
@@ -146,13 +181,18 @@ int main(int argc, char** argv) {
   arguments.options.threads = pelagos::describe_machine().hardware_threads;
   CLI::App& run = *app.add_subcommand("run", "Advance a scene and print speed and error as JSON");
   pelagos::add_run_options(run, arguments);
+  CLI::App& limits = *app.add_subcommand(
+      "limits", "Measure what this machine does at best with the scene's data: arithmetic, reading, gathering");
+  pelagos::add_common_options(limits, arguments);
+  limits.add_option("--steps", arguments.limit_steps, "Time steps before the measurement (default: 100)")
+      ->check(CLI::Range(1, 1000000));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   try {
-    return pelagos::run(arguments);
+    return limits.parsed() ? pelagos::limits(arguments) : pelagos::run(arguments);
   } catch (const std::exception& error) {
     std::cerr << "pelagos-bench: " << error.what() << '\n';
     return 1;
