@@ -79,7 +79,7 @@ def standing_wave(results, folder):
     axes[0][1].set(title="surface, " + setup.replace(";", ","), xlabel="periods")
     axes[0][0].legend(loc="lower left")
     axes[0][1].legend(loc="lower right", frameon=True, framealpha=0.9, ncols=2)
-    return [(save(figure, folder, "standing_wave"), "Amplitude of the standing wave; right, every solver's surface.")]
+    return [(save(figure, folder, "standing_wave"), "Amplitude of the standing wave; right, the surface with each solver that was run.")]
 
 
 def travelling_wave(results, folder):
@@ -112,8 +112,8 @@ def dam_break_front(results, folder):
     for k, setup in enumerate(setups):
         series = results.series("dam_break_front", "front", setup, DEFAULT_SOLVER)
         axis.plot(series["T"], series["Z"], color=shade(k, len(setups)), label=setup)
-    marks = (("dambreak_front_martin_moyce_1952_a2.25in.csv", "o", "Martin & Moyce 2.25 in, T - 0.175", 0.175),
-             ("dambreak_front_martin_moyce_1952_a1.125in.csv", "s", "Martin & Moyce 1.125 in, T - 0.175", 0.175),
+    marks = (("dambreak_front_martin_moyce_1952_a2.25in.csv", "o", "Martin & Moyce 2.25 in, clock of the run", 0.175),
+             ("dambreak_front_martin_moyce_1952_a1.125in.csv", "s", "Martin & Moyce 1.125 in, clock of the run", 0.175),
              ("dambreak_front_koshizuka_oka_1996_pysph.csv", "^", "Koshizuka & Oka", 0.0))
     for file, marker, label, shift in marks:
         t, z = experiment(file)
@@ -127,7 +127,7 @@ def dam_break_front(results, folder):
     t, z = experiment(marks[0][0])
     axes[0][1].plot([x - 0.175 for x in t], z, "o", color=EXPERIMENT, markersize=4, fillstyle="none",
                     label="Martin & Moyce 2.25 in, T - 0.175")
-    axes[0][1].set(title=f"every solver, {setup}", xlabel="t √(2g/a)", xlim=(0, 6.5), ylim=(0.8, 9))
+    axes[0][1].set(title=f"solvers run at {setup}", xlabel="t √(2g/a)", xlim=(0, 6.5), ylim=(0.8, 9))
     axes[0][1].legend()
     return [(save(figure, folder, "dam_break_front"), "Front of the collapsing column, width a, height 2a.")]
 
@@ -167,7 +167,7 @@ def dam_break_pressure(results, folder):
         series = results.series(case, "wall", setup, solver)
         axes[0][1].plot(series["t"], series["front"], color=colour(solver), label=solver)
     axes[0][0].set(title=f"front, {DEFAULT_SOLVER}", ylabel="(x - x₀) / H")
-    axes[0][1].set(title=f"every solver, {setup}")
+    axes[0][1].set(title=f"solvers run at {setup}")
     for axis in axes[0]:
         axis.legend()
     front = save(figure, folder, "dam_break_lobovsky_front")
