@@ -126,7 +126,7 @@ def dam_break_front(results, folder):
         axes[0][1].plot(series["T"], series["Z"], color=colour(solver), label=solver)
     t, z = experiment(marks[0][0])
     axes[0][1].plot([x - 0.175 for x in t], z, "o", color=EXPERIMENT, markersize=4, fillstyle="none",
-                    label="Martin & Moyce 2.25 in, T - 0.175")
+                    label="Martin & Moyce 2.25 in, clock of the run")
     axes[0][1].set(title=f"solvers run at {setup}", xlabel="t √(2g/a)", xlim=(0, 6.5), ylim=(0.8, 9))
     axes[0][1].legend()
     return [(save(figure, folder, "dam_break_front"), "Front of the collapsing column, width a, height 2a.")]
