@@ -2,15 +2,28 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "hard_tables.hpp"
 
+namespace {
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw std::runtime_error("--out " + folder + ": the folder cannot be made: " + error.message() +
+                             "; name one that may be written");
+}
+
+}  // namespace
+
 /// The hard cases that take minutes, and the tables of docs/hard_cases.md. Exit status 1 where a case does not pass.
 int main(int argc, char** argv) {
   CLI::App app("Hard cases of the water: step sweeps, deep water, long runs, crowds. Writes NAME.csv and NAME.md.");
-  std::string folder = ".", mode = "all";
+  std::string folder = "out/hard", mode = "all";
   int steps = 100000;
   std::vector<std::string> solvers;
   app.add_option("case", mode, "Which")
@@ -25,7 +38,7 @@ int main(int argc, char** argv) {
   const auto chosen = [&](const std::vector<std::string>& usual) { return solvers.empty() ? usual : solvers; };
   const auto wanted = [&](const char* name) { return mode == "all" || mode == name; };
   try {
-    std::filesystem::create_directories(folder);
+    make_folder(folder);
     if (wanted("sweep"))
       pelagos::hard::sweep_steps(chosen(pelagos::hard::kSweepSolvers), failures).write(folder, "hard_sweep");
     if (wanted("deep"))
@@ -38,6 +51,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "pelagos-hard: %s\n", error.what());
     return 2;
   }
-  std::printf("%d cases did not pass\n", failures);
+  if (failures == 0)
+    std::printf("all cases passed; the tables are in %s\n", folder.c_str());
+  else
+    std::printf("did not pass: %d\n", failures);
   return failures == 0 ? 0 : 1;
 }

@@ -83,7 +83,11 @@ void Series::add(const std::string& words, std::initializer_list<double> row) {
 }
 
 Session::Session(Options options) : options_(std::move(options)) {
-  std::filesystem::create_directories(options_.out);
+  std::error_code error;
+  std::filesystem::create_directories(options_.out, error);
+  if (error)
+    throw std::runtime_error("--out " + options_.out.string() + ": the folder cannot be made: " + error.message() +
+                             "; name one that may be written");
   summary_ = open(options_.out / "summary.csv",
                   "case,setup,solver,spacing,metric,value,unit,reference,goal,aim,bound,verdict");
   runs_ = open(options_.out / "runs.csv",

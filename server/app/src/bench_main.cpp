@@ -46,9 +46,11 @@ void add_run_options(CLI::App& run, RunArguments& arguments) {
          "Tolerance of the density constraint, with the corrected solver of both constraints (its velocity solve "
          "is what counts); fraction of the rest density (default: the scene's)")
       ->check(CLI::Range(1e-6, 0.05));
-  run.add_option("--seconds", arguments.options.seconds, "Simulated seconds")->check(CLI::Range(1e-3, 1e6));
+  CLI::Option* seconds =
+      run.add_option("--seconds", arguments.options.seconds, "Simulated seconds")->check(CLI::Range(1e-3, 1e6));
   run.add_option("--steps", arguments.options.steps, "So many time steps instead of --seconds")
-      ->check(CLI::Range(1, 100000000));
+      ->check(CLI::Range(1, 100000000))
+      ->excludes(seconds);
   run.add_flag("--surface", arguments.options.surface, "Also extract the surface at each frame, as the server does");
 }
 
