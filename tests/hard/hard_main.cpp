@@ -1,24 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "../support/output_folder.hpp"
 #include "hard_tables.hpp"
-
-namespace {
-
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw std::runtime_error("--out " + folder + ": the folder cannot be made: " + error.message() +
-                             "; name one that may be written");
-}
-
-}  // namespace
 
 /// The hard cases that take minutes, and the tables of docs/hard_cases.md. Exit status 1 where a case does not pass.
 int main(int argc, char** argv) {
@@ -38,7 +25,7 @@ int main(int argc, char** argv) {
   const auto chosen = [&](const std::vector<std::string>& usual) { return solvers.empty() ? usual : solvers; };
   const auto wanted = [&](const char* name) { return mode == "all" || mode == name; };
   try {
-    make_folder(folder);
+    pelagos::test::make_output_folder(folder);
     if (wanted("sweep"))
       pelagos::hard::sweep_steps(chosen(pelagos::hard::kSweepSolvers), failures).write(folder, "hard_sweep");
     if (wanted("deep"))

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "../support/output_folder.hpp"
+
 namespace pelagos::validation {
 
 namespace {
@@ -83,11 +85,7 @@ void Series::add(const std::string& words, std::initializer_list<double> row) {
 }
 
 Session::Session(Options options) : options_(std::move(options)) {
-  std::error_code error;
-  std::filesystem::create_directories(options_.out, error);
-  if (error)
-    throw std::runtime_error("--out " + options_.out.string() + ": the folder cannot be made: " + error.message() +
-                             "; name one that may be written");
+  test::make_output_folder(options_.out);
   summary_ = open(options_.out / "summary.csv",
                   "case,setup,solver,spacing,metric,value,unit,reference,goal,aim,bound,verdict");
   runs_ = open(options_.out / "runs.csv",

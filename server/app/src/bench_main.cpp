@@ -9,7 +9,7 @@
 
 #include "bench_limits.hpp"
 #include "bench_run.hpp"
-#include "machine.hpp"
+#include "machine_json.hpp"
 #include "physics/neighbor_search.hpp"
 #include "scene/read_scene.hpp"
 #include "solver_names.hpp"
@@ -55,7 +55,6 @@ void add_run_options(CLI::App& run, RunArguments& arguments) {
 }
 
 nlohmann::ordered_json to_json(const Scene& scene, const RunArguments& arguments, const BenchResult& r) {
-  const Machine machine = describe_machine();
   const auto steps = static_cast<double>(std::max<std::int64_t>(r.steps, 1));
   nlohmann::ordered_json json;
   json["scene"] = scene.name;
@@ -65,9 +64,7 @@ nlohmann::ordered_json to_json(const Scene& scene, const RunArguments& arguments
   json["spacing"] = scene.particle_spacing;
   json["particles"] = r.particles;
   json["boundary_particles"] = r.boundary_particles;
-  json["threads"] = arguments.options.threads;
-  json["instruction_set"] = machine.instruction_set;
-  json["processor"] = machine.processor;
+  add_machine(json, arguments.options.threads);
   json["steps"] = r.steps;
   json["simulated_s"] = r.simulated_s;
   json["wall_s"] = r.wall_s;
@@ -136,14 +133,11 @@ int limits(RunArguments& arguments) {
   const std::optional<Scene> scene = prepare_scene(arguments);
   if (!scene) return 1;
   const BenchLimits r = measure_limits(*scene, arguments.options.threads, arguments.limit_steps);
-  const Machine machine = describe_machine();
   nlohmann::ordered_json json;
   json["scene"] = scene->name;
   json["particles"] = r.particles;
   json["slots"] = r.slots;
-  json["threads"] = arguments.options.threads;
-  json["instruction_set"] = machine.instruction_set;
-  json["processor"] = machine.processor;
+  add_machine(json, arguments.options.threads);
   json["multiply_add_gflops"] = r.multiply_add_gflops;
   json["memory_read_gb_s"] = r.memory_read_gb_s;
   json["pass_bytes"] = r.pass_bytes;

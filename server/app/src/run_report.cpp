@@ -3,7 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "machine.hpp"
+#include "machine_json.hpp"
 #include "values/wind.hpp"
 #include "version/version.hpp"
 
@@ -76,7 +76,6 @@ Json transport(const ServerSummary& s) {
 }  // namespace
 
 std::string write_run_report(const std::string& file, const ServerSummary& s) {
-  const Machine machine = describe_machine();
   Json json;
   json["version"] = kVersion;
   json["scene"] = s.status.scene;
@@ -84,9 +83,7 @@ std::string write_run_report(const std::string& file, const ServerSummary& s) {
   json["particles"] = s.status.particles;
   json["boundary_particles"] = s.status.boundary_particles;
   json["hull_samples"] = s.hull_samples;
-  json["threads"] = s.threads;
-  json["instruction_set"] = machine.instruction_set;
-  json["processor"] = machine.processor;
+  add_machine(json, s.threads);
   json["peak_memory_bytes"] = peak_memory();
   json["speed"] = speed(s);
   json["error"] = error(s);

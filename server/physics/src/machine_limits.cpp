@@ -16,11 +16,7 @@ namespace HWY_NAMESPACE {
 
 constexpr std::size_t kChains = 16;
 
-float sum_lanes(FloatV v) {
-  float lanes[kLanes] = {};
-  hn::StoreU(v, FloatTag(), lanes);
-  return std::accumulate(lanes, lanes + hn::Lanes(FloatTag()), 0.0F);
-}
+float sum_lanes(FloatV v) { return hn::GetLane(hn::SumOfLanes(FloatTag(), v)); }
 
 float read_range(const float* values, std::size_t count) {
   const FloatTag d;
@@ -50,21 +46,13 @@ float gather_groups(const NeighborList& list, std::size_t first_group, std::size
 float multiply_add_block(std::size_t rounds, float factor, float term) {
   const FloatTag d;
   const FloatV m = hn::Set(d, factor), t = hn::Set(d, term);
-  // All chains differ, or the compiler would keep one of them.
-  const auto start = [&](float k) HWY_ATTR { return hn::Set(d, term * k); };
-  FloatV c0 = start(0), c1 = start(1), c2 = start(2), c3 = start(3), c4 = start(4), c5 = start(5), c6 = start(6),
-         c7 = start(7);
-  FloatV e0 = start(8), e1 = start(9), e2 = start(10), e3 = start(11), e4 = start(12), e5 = start(13), e6 = start(14),
-         e7 = start(15);
-  for (std::size_t k = 0; k < rounds; ++k) {
-    c0 = hn::MulAdd(c0, m, t), c1 = hn::MulAdd(c1, m, t), c2 = hn::MulAdd(c2, m, t), c3 = hn::MulAdd(c3, m, t);
-    c4 = hn::MulAdd(c4, m, t), c5 = hn::MulAdd(c5, m, t), c6 = hn::MulAdd(c6, m, t), c7 = hn::MulAdd(c7, m, t);
-    e0 = hn::MulAdd(e0, m, t), e1 = hn::MulAdd(e1, m, t), e2 = hn::MulAdd(e2, m, t), e3 = hn::MulAdd(e3, m, t);
-    e4 = hn::MulAdd(e4, m, t), e5 = hn::MulAdd(e5, m, t), e6 = hn::MulAdd(e6, m, t), e7 = hn::MulAdd(e7, m, t);
-  }
-  const FloatV c = hn::Add(hn::Add(hn::Add(c0, c1), hn::Add(c2, c3)), hn::Add(hn::Add(c4, c5), hn::Add(c6, c7)));
-  const FloatV e = hn::Add(hn::Add(hn::Add(e0, e1), hn::Add(e2, e3)), hn::Add(hn::Add(e4, e5), hn::Add(e6, e7)));
-  return sum_lanes(hn::Add(c, e));
+  FloatV chain[kChains];  // all differ, or the compiler would keep one of them
+  for (std::size_t c = 0; c < kChains; ++c) chain[c] = hn::Set(d, term * static_cast<float>(c));
+  for (std::size_t k = 0; k < rounds; ++k)
+    for (FloatV& value : chain) value = hn::MulAdd(value, m, t);
+  FloatV sum = hn::Zero(d);
+  for (const FloatV& value : chain) sum = hn::Add(sum, value);
+  return sum_lanes(sum);
 }
 
 double operations_a_round() { return 2.0 * static_cast<double>(kChains * hn::Lanes(FloatTag())); }

@@ -79,7 +79,8 @@ def standing_wave(results, folder):
     axes[0][1].set(title="surface, " + setup.replace(";", ","), xlabel="periods")
     axes[0][0].legend(loc="lower left")
     axes[0][1].legend(loc="lower right", frameon=True, framealpha=0.9, ncols=2)
-    return [(save(figure, folder, "standing_wave"), "Amplitude of the standing wave; right, the surface with each solver that was run.")]
+    return [(save(figure, folder, "standing_wave"),
+             "Amplitude of the standing wave; right, the surface with each solver that was run.")]
 
 
 def travelling_wave(results, folder):
@@ -105,6 +106,13 @@ def travelling_wave(results, folder):
     return [(save(figure, folder, "travelling_wave"), "What is left of a travelling wave's height.")]
 
 
+def draw_mark(axis, mark):
+    """An experiment's points; mark: data file, marker, label, how far its clock is ahead of the run's."""
+    file, marker, label, ahead = mark
+    t, z = experiment(file)
+    axis.plot([x - ahead for x in t], z, marker, color=EXPERIMENT, markersize=4, fillstyle="none", label=label)
+
+
 def dam_break_front(results, folder):
     figure, axes = new_figure(2)
     axis = axes[0][0]
@@ -115,18 +123,15 @@ def dam_break_front(results, folder):
     marks = (("dambreak_front_martin_moyce_1952_a2.25in.csv", "o", "Martin & Moyce 2.25 in, clock of the run", 0.175),
              ("dambreak_front_martin_moyce_1952_a1.125in.csv", "s", "Martin & Moyce 1.125 in, clock of the run", 0.175),
              ("dambreak_front_koshizuka_oka_1996_pysph.csv", "^", "Koshizuka & Oka", 0.0))
-    for file, marker, label, shift in marks:
-        t, z = experiment(file)
-        axis.plot([x - shift for x in t], z, marker, color=EXPERIMENT, markersize=4, fillstyle="none", label=label)
+    for mark in marks:
+        draw_mark(axis, mark)
     axis.set(title=f"front, {DEFAULT_SOLVER}", xlabel="t √(2g/a)", ylabel="x / a", xlim=(0, 6.5), ylim=(0.8, 9))
     axis.legend()
     setup = finest_shared(results, "dam_break_front")
     for solver in results.solvers("dam_break_front", setup):
         series = results.series("dam_break_front", "front", setup, solver)
         axes[0][1].plot(series["T"], series["Z"], color=colour(solver), label=solver)
-    t, z = experiment(marks[0][0])
-    axes[0][1].plot([x - 0.175 for x in t], z, "o", color=EXPERIMENT, markersize=4, fillstyle="none",
-                    label="Martin & Moyce 2.25 in, clock of the run")
+    draw_mark(axes[0][1], marks[0])
     axes[0][1].set(title=f"solvers run at {setup}", xlabel="t √(2g/a)", xlim=(0, 6.5), ylim=(0.8, 9))
     axes[0][1].legend()
     return [(save(figure, folder, "dam_break_front"), "Front of the collapsing column, width a, height 2a.")]
