@@ -6,10 +6,13 @@
 
 #include "../support/output_folder.hpp"
 #include "hard_tables.hpp"
+#include "solver_names.hpp"
+#include "version/version.hpp"
 
 /// The hard cases that take minutes, and the tables of docs/hard_cases.md. Exit status 1 where a case does not pass.
 int main(int argc, char** argv) {
   CLI::App app("Hard cases of the water: step sweeps, deep water, long runs, crowds. Writes NAME.csv and NAME.md.");
+  app.set_version_flag("--version", std::string("pelagos-hard ") + pelagos::kVersion);
   std::string folder = "out/hard", mode = "all";
   int steps = 100000;
   std::vector<std::string> solvers;
@@ -18,7 +21,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--out", folder, "Folder for the tables (made where missing)")->capture_default_str();
   app.add_option("--solver", solvers, "Only these solvers (default: all that the case is for)")
-      ->check(CLI::IsMember(pelagos::hard::kSweepSolvers));
+      ->check(CLI::IsMember(pelagos::solver_names()));
   app.add_option("--steps", steps, "Steps of the long runs")->check(CLI::Range(100, 10000000))->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   int failures = 0;

@@ -141,11 +141,12 @@ TEST_F(Server, PaysWithAccuracyWithinBoundsAndSaysSo) {
   EXPECT_THAT(answer_, HasSubstr("governor at its bounds"));
   server_->signal(SIGTERM);
   EXPECT_EQ(server_->wait(kPatience), 0) << server_->errors();
-  EXPECT_THAT(server_->errors(), AllOf(HasSubstr("by governor: max_step 0.008 s, density tolerance 0.002"),
+  EXPECT_THAT(server_->errors(), AllOf(HasSubstr("by governor: coarser, a frame took"),
+                                       HasSubstr("steps up to 8.00 ms, tolerances 0.002 and 0.002"),
                                        HasSubstr("at the scene's bounds and over the budget")));
   const nlohmann::json effort = nlohmann::json::parse(read_text(report)).at("effort");
   EXPECT_EQ(effort.at("governed"), true);
-  EXPECT_GE(effort.at("changes"), 2);
+  EXPECT_GE(effort.at("changes"), 1);
   EXPECT_EQ(effort.at("max_step_s"), 0.008);
 }
 

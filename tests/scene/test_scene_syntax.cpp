@@ -14,6 +14,7 @@ using test::read_with;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 TEST(SceneSyntax, StopsAtTheFirstErrorWithLineAndColumn) {
@@ -39,6 +40,12 @@ TEST(SceneSyntax, RefusesAFieldGivenTwice) {
 TEST(SceneSyntax, NamesTheChoicesOfAnEnum) {
   EXPECT_THAT(read_with("solver { method: MAGIC }").faults,
               ElementsAre(AllOf(HasSubstr("\"MAGIC\""), HasSubstr("Allowed: CONJUGATE_GRADIENT, JACOBI, PAPER"))));
+}
+
+TEST(SceneSyntax, OffersTheNearestChoiceOfAnEnum) {
+  EXPECT_THAT(read_with("solver { kind: corrected }").faults, ElementsAre(HasSubstr("Did you mean CORRECTED?")));
+  EXPECT_THAT(read_with("solver { method: JACOBY }").faults, ElementsAre(HasSubstr("Did you mean JACOBI?")));
+  EXPECT_THAT(read_with("solver { method: MAGIC }").faults, ElementsAre(Not(HasSubstr("Did you mean"))));
 }
 
 TEST(SceneSyntax, PlacesUnknownFieldsOfEveryShape) {

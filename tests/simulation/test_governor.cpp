@@ -53,6 +53,21 @@ TEST(Governor, StaysWithinTheScenesBoundsAndSaysWhenTheyAreNotEnough) {
   EXPECT_FALSE(governor.over_budget()) << "and when they are again";
 }
 
+TEST(Governor, ClimbsAtOnceWhereAFrameIsFarOverTheBudget) {
+  Governor governor(scene_with(0.02), kExact);
+  EXPECT_EQ(run(governor, 3, 1.0), 1);
+  EXPECT_EQ(governor.effort(), (Effort{0.01, 2.4e-3, 2.4e-3}));
+  run(governor, 3, 1.0);
+  EXPECT_TRUE(governor.over_budget()) << "said within 6 frames";
+}
+
+TEST(Governor, DoesNotClimbHigherThanAFarOverTimeNeeds) {
+  Governor governor(scene_with(0.02, 0.05, 0.02), kExact);
+  run(governor, 40, 0.042);  // 2.1 times: 4 rungs of steps and a little
+  EXPECT_EQ(governor.effort().density_tolerance, kExact.density_tolerance);
+  EXPECT_LE(cost_of(governor.effort(), 0.042), 0.02);
+}
+
 TEST(Governor, ComesBackToExactWhereThereIsRoom) {
   Governor governor(scene_with(0.02), kExact);
   run(governor, 500, 0.06);

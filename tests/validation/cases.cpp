@@ -52,7 +52,8 @@ const std::vector<Case>& all_cases() {
        "push, so nothing holds the patch together: energy and angular momentum do not notice, the areas do.",
        "Energy rho w^2 L^4 / 12 at the start; energy, angular momentum and covered area constant.", run_square_patch},
       {"paper_dam_break", "The paper's dam break",
-       "The paper's section VI.A: a box of 5L x 3L x 5L, a block of 1.6L x 1.5L x 2.0L, L = 1 m, 35,061 particles. The "
+       "The paper's section VI.A: a box of 5L x 3L x 5L, a block of 1.6L x 1.5L x 2.0L, L = 1 m, 35,061 particles (the "
+       "coarse runs: half of each length). The "
        "names with -paper are its three methods as printed: damped Jacobi, clamped increments, cold start. The "
        "tolerance, "
        "which the paper does not give, is 0.01 % here.",

@@ -160,6 +160,10 @@ int run(RunArguments& arguments) {
   };
   const BenchResult result = run_bench(*scene, arguments.options, progress);
   if (terminal) std::fputs("\r\033[K", stderr);
+  if (result.unconverged_steps > 0)
+    std::cerr << "pelagos-bench: " << result.unconverged_steps << " of " << result.steps
+              << " steps missed a tolerance; see density_error_mean for what that costs, and raise the scene's "
+                 "solver.*.max_iterations or the tolerance\n";
   if (!write_json(to_json(*scene, arguments, result), arguments.json_file)) return 1;
   return result.not_finite_peak == 0 ? 0 : 2;
 }

@@ -1,6 +1,7 @@
 #include "governor.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pelagos {
 
@@ -13,6 +14,8 @@ constexpr double kRoom = 0.75;          ///< of the budget: under it there is ro
 constexpr double kRelief = 0.95;        ///< of the budget: under it the top of the ladder is enough again
 constexpr double kSmoothing = 0.2;      ///< share of the newest frame
 constexpr int kSettleFrames = 8;        ///< before a change shows in the smoothed time
+constexpr double kFarOver = 2.0;        ///< times the budget: no frame is lucky or unlucky by so much
+constexpr int kHastyFrames = 3;         ///< before a climb where the time is far over the budget
 constexpr int kShortestPatience = 30, kLongestPatience = 3600;  ///< frames
 constexpr int kRelapseFrames = 120;  ///< a climb within so many after a descent means that the descent was a mistake
 
@@ -49,7 +52,7 @@ std::optional<Effort> Governor::observe(double frame_seconds) {
   ++frames_;
   calm_frames_ = smoothed_ < kRoom * budget_ ? calm_frames_ + 1 : 0;
   if (smoothed_ < kRelief * budget_) over_budget_ = false;
-  if (frames_ < kSettleFrames) return std::nullopt;
+  if (frames_ < (smoothed_ > kFarOver * budget_ ? kHastyFrames : kSettleFrames)) return std::nullopt;
   if (smoothed_ > budget_) return climb();
   return consider_descent();
 }
@@ -62,7 +65,12 @@ std::optional<Effort> Governor::climb() {
   const bool relapse = descended_ && frames_ < kRelapseFrames;
   patience_ = relapse ? std::min(2 * patience_, kLongestPatience) : patience_;
   descended_ = false;
-  return move_to(rung_ + 1);
+  return move_to(std::min(rung_ + rungs_needed(), ladder_.size() - 1));
+}
+
+/// At least so many: a rung saves no more than its step is longer.
+std::size_t Governor::rungs_needed() const {
+  return static_cast<std::size_t>(std::max(1.0, std::floor(std::log(smoothed_ / budget_) / std::log(kStepFactor))));
 }
 
 std::optional<Effort> Governor::consider_descent() {

@@ -18,9 +18,10 @@ namespace pelagos {
 /// iterations, in 0.74 of the time, at 0.023 %; with a tolerance of 1e-3 it is 315 steps of 3.7 iterations, in 0.80 of
 /// the time, at 0.069 %.
 ///
-/// It climbs a rung when the smoothed time is over the budget, and comes down a rung when it has been under 0.75 of the
-/// budget for a while; a rung seldom costs so much that this alone would send it up again, and where it has to climb
-/// soon after coming down, the while doubles. It has no clock: the same times give the same choices.
+/// It climbs a rung when the smoothed time is over the budget, several at once where it is far over, and comes down a
+/// rung when it has been under 0.75 of the budget for a while; a rung seldom costs so much that this alone would send
+/// it up again, and where it has to climb soon after coming down, the while doubles. It has no clock: the same times
+/// give the same choices.
 class Governor {
  public:
   /// @param scene  its governor's bounds; on or not is the caller's business
@@ -38,6 +39,7 @@ class Governor {
  private:
   std::optional<Effort> move_to(std::size_t rung);
   std::optional<Effort> climb();
+  [[nodiscard]] std::size_t rungs_needed() const;
   std::optional<Effort> consider_descent();
 
   std::vector<Effort> ladder_;

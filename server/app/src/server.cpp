@@ -33,8 +33,9 @@ std::string describe_wind(const WindSettings& wind, double ramp_seconds) {
 /// With every digit, so that a run can be replayed from its events.
 std::string describe_effort(const SetEffort& command) {
   const Effort& effort = command.effort;
-  return fmt::format("max_step {} s, density tolerance {}, divergence tolerance {}: {}", effort.max_step,
-                     effort.density_tolerance, effort.divergence_tolerance, command.reason);
+  return fmt::format("{}: steps up to {:.2f} ms, tolerances {:.2g} and {:.2g} (exactly {}, {} and {})", command.reason,
+                     effort.max_step * 1e3, effort.density_tolerance, effort.divergence_tolerance, effort.max_step,
+                     effort.density_tolerance, effort.divergence_tolerance);
 }
 
 const char* describe_health(PoseHealth health) {
@@ -227,11 +228,14 @@ void Server::report_fault(const WorldStep& step) {
 /// The governor sees how long a frame took; what it decides waits in the queue for the step boundary like any command.
 void Server::govern(double frame_seconds) {
   const bool was_over = governor_->over_budget();
+  const Effort before = governor_->effort();
   const std::optional<Effort> next = governor_->observe(frame_seconds);
   const std::string cost =
-      fmt::format("a frame takes {:.1f} ms of {:.1f} ms", governor_->frame_seconds() * 1e3, governor_->budget() * 1e3);
+      fmt::format("a frame took {:.1f} ms of {:.1f} ms at a density error of {:.2g} %",
+                  governor_->frame_seconds() * 1e3, governor_->budget() * 1e3, last_report_.density_error * 1e2);
   if (next) {
-    const auto refused = commands_.submit(SetEffort{*next, cost}, "governor");
+    const bool coarser = next->max_step > before.max_step || next->density_tolerance > before.density_tolerance;
+    const auto refused = commands_.submit(SetEffort{*next, (coarser ? "coarser, " : "finer, ") + cost}, "governor");
     if (refused) log_warning("governor: " + *refused);
   }
   if (governor_->over_budget() == was_over) return;

@@ -3,6 +3,8 @@
 #include <google/protobuf/io/tokenizer.h>
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 
+#include <algorithm>
+#include <cctype>
 #include <map>
 
 namespace pelagos {
@@ -142,22 +144,34 @@ FieldFaults place_unknown_fields(std::string_view text, const std::map<Collector
   return faults;
 }
 
+std::string upper_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
 /// The parser names the enum's field but not what it may hold.
 std::string explain(const std::string& message) {
   if (message.rfind("Unknown enumeration value", 0) != 0) return message;
-  std::string known;
+  std::string list;
+  std::vector<std::string> known;
   const auto* file = proto::v1::Scene::descriptor()->file();
   const std::size_t last = message.rfind('"');
   const std::size_t first = message.rfind('"', last - 1);
   const std::string name = message.substr(first + 1, last - first - 1);
+  const std::size_t begin = message.find('"'), end = message.find('"', begin + 1);
+  const std::string given = upper_case(message.substr(begin + 1, end - begin - 1));
   for (int m = 0; m < file->message_type_count(); ++m) {
     const auto* field = file->message_type(m)->FindFieldByName(name);
     if (field == nullptr || field->enum_type() == nullptr) continue;
     for (int v = 1; v < field->enum_type()->value_count(); ++v) {
-      known += (known.empty() ? "" : ", ") + field->enum_type()->value(v)->name();
+      known.push_back(field->enum_type()->value(v)->name());
+      list += (list.empty() ? "" : ", ") + known.back();
     }
   }
-  return known.empty() ? message : message + " Allowed: " + known + ".";
+  if (known.empty()) return message;
+  const std::string nearest = nearest_name(given, known);
+  return message + (nearest.empty() ? "" : " Did you mean " + nearest + "?") + " Allowed: " + list + ".";
 }
 
 }  // namespace

@@ -53,6 +53,18 @@ void read_constraint(const FieldReader& solver, const char* name, int least, Con
   }
 }
 
+/// A setting that the chosen solver does not use is a mistake of whoever wrote it, not a wish to be ignored.
+void refuse_unused(const FieldReader& entry, const SolverSettings& solver) {
+  const auto refuse = [&](const char* name, bool used, const char* by) {
+    if (entry.has(name) && !used)
+      entry.fault(name, std::string("is used by ") + by + " only; allowed with the others: leave it out");
+  };
+  refuse("filter", solver.kind == SolverKind::kCorrected, "kind: CORRECTED");
+  refuse("divergence", solver.kind != SolverKind::kPbf, "kinds CORRECTED, HYBRID and DFSPH");
+  refuse("relaxation", solver.method != PressureMethod::kConjugateGradient, "methods JACOBI and PAPER");
+  refuse("warm_start", solver.method != PressureMethod::kPaper, "methods CONJUGATE_GRADIENT and JACOBI");
+}
+
 /// Largest step that any setting may ask for, s: twice the default, where solves begin to fail.
 double longest_step(const Basis& basis) { return basis.default_step ? 2.0 * *basis.default_step : 10.0; }
 
@@ -71,12 +83,10 @@ SolverSettings validate_solver(const FieldReader& scene_reader) {
   }
   read_constraint(entry, "density", corrected ? 0 : 1, solver.density);  // corrected: repairs only what is compressed
   read_constraint(entry, "divergence", 1, solver.divergence);
-  entry.read("relaxation", {0.01, 1.0, "", "0.5 is safe, 1 is known to fail"}, solver.relaxation);
+  entry.read("relaxation", {0.01, 0.9, "", "0.5 is safe, 1 is known to fail"}, solver.relaxation);
   entry.read("warm_start", {0.0, 1.0, "", "0 starts cold"}, solver.warm_start);
   entry.read("filter", {0.0, 20.0}, solver.filter);
-  if (entry.has("filter") && !corrected) {
-    entry.fault("filter", "is used by the CORRECTED solver only; allowed with the others: leave it out");
-  }
+  refuse_unused(entry, solver);
   return solver;
 }
 

@@ -72,7 +72,8 @@ def figure_5(results, runs, folder):
     for axis, snapshot, time in zip(axes[0], snapshots, (0.4, 0.8, 1.6, 3.2)):
         picture = axis.scatter(snapshot["x"], snapshot["z"], c=[1000 * x for x in snapshot["density"]], s=2.5,
                                vmin=500, vmax=1010, cmap="viridis", linewidths=0)
-        axis.set(title=f"t = {time} s", xlim=(0, length), ylim=(0, 0.6 * length), aspect="equal", xlabel="x (m)")
+        axis.set(title=f"t = {time} s", xlim=(0, length), ylim=(0, 0.6 * length), aspect="equal", xlabel="x (m)",
+                 ylabel="z (m)" if axis is axes[0][0] else "")
         axis.grid(False)
     figure.colorbar(picture, ax=axes[0], label="kg/m³", shrink=0.7)
     density = sorted(1000 * x for snapshot in snapshots for x in snapshot["density"])
@@ -130,5 +131,6 @@ def paper_dam_break(results, folder):
     if not all(s in runs for s in ("hybrid-paper", "dfsph-paper", "pbf-paper")):
         plt.close("all")
         return []
+    small = "" if "35061" in runs["hybrid-paper"]["setup"] else " Judged on a block of half the size, 300 steps."
     made = [figure_4(runs, folder), figure_5(results, runs, folder), figure_6(runs, folder), figure_7(runs, folder)]
-    return [plot for plot in made if plot]
+    return [(file, caption + small) for file, caption in filter(None, made)]

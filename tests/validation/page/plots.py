@@ -30,7 +30,7 @@ def hydrostatic(results, folder):
             series = results.series("hydrostatic", "profile", setup, solver)
             axis.plot(series["pressure"], series["height"], ".-", markersize=4, linewidth=0.8, color=colour(solver),
                       label=solver)
-        axis.set(title=setup.replace(";", ","), xlabel="pressure / ρgH", xlim=(-0.05, 1.6))
+        axis.set(title=setup.replace(";", ","), xlabel="pressure / ρgH", xlim=(-0.05, None))
     axes[0][0].set_ylabel("height / H")
     axes[0][0].legend()
     return [(save(figure, folder, "hydrostatic"),
@@ -65,13 +65,15 @@ def envelope(series):
 def standing_wave(results, folder):
     figure, axes = new_figure(2)
     setups = results.setups("standing_wave", DEFAULT_SOLVER)
+    lowest = 0.75
     for k, setup in enumerate(setups):
         t, peaks = envelope(results.series("standing_wave", "surface", setup, DEFAULT_SOLVER))
         axes[0][0].plot(t, peaks, ".-", color=shade(k, len(setups)), label=setup.replace(";", ","))
+        lowest = min(lowest, min(peaks))
     axes[0][0].axhline(0.95, color=EXPERIMENT, linewidth=0.8, linestyle=":", label="aim at 8.6 periods")
     axes[0][0].plot([8.6], [0.86], "x", color=EXPERIMENT, label="best peer, h/d 50")
     axes[0][0].set(title=f"peaks, {DEFAULT_SOLVER}", xlabel="periods", ylabel="amplitude / first",
-                   ylim=(min(0.7, min(peaks) - 0.05), 1.05))
+                   ylim=(lowest - 0.05, 1.07))
     setup = finest_shared(results, "standing_wave")
     for solver in results.solvers("standing_wave", setup):
         series = results.series("standing_wave", "surface", setup, solver)
@@ -89,7 +91,7 @@ def travelling_wave(results, folder):
     for solver in results.solvers("travelling_wave", first):
         series = results.series("travelling_wave", "amplitude", first, solver)
         axes[0][0].plot(series["periods"], series["amplitude"], ".-", color=colour(solver), label=solver)
-    for loss, name in ((0.15, "peers: 15 %"), (0.27, "to 27 % a period")):
+    for loss, name in ((0.15, "15 % a period (peers' least)"), (0.27, "27 % a period (peers' most)")):
         periods = [0.1 * k for k in range(101)]
         reach = max(series["periods"])
         axes[0][0].plot([p for p in periods if p <= reach], [(1 - loss) ** p for p in periods if p <= reach],
@@ -101,8 +103,8 @@ def travelling_wave(results, folder):
         axes[0][1].plot(series["periods"], series["amplitude"], ".-", color=shade(k, len(setups)),
                         label=setup.replace(";", ","))
     axes[0][1].set(title=DEFAULT_SOLVER, xlabel="periods", ylim=(None, 1.05))
-    for axis in axes[0]:
-        axis.legend()
+    axes[0][0].legend(loc="center right", bbox_to_anchor=(1.0, 0.68))
+    axes[0][1].legend()
     return [(save(figure, folder, "travelling_wave"), "What is left of a travelling wave's height.")]
 
 
@@ -151,7 +153,7 @@ def dam_break_pressure(results, folder):
             axis.plot(series["t"], series[f"p{sensor + 1}"], color=shade(k, len(setups)), linewidth=0.9,
                       label=setup)
         axis.set(title=f"sensor {sensor + 1}, {heights[sensor]} mm above the floor", xlim=(2, 7.1),
-                 ylim=(-0.1, 4.2 if sensor == 0 else 2.6))
+                 ylim=(-0.1, 1.8 * max(high)))
     axes[1][0].set_xlabel("t √(g/H)")
     axes[1][1].set_xlabel("t √(g/H)")
     axes[0][0].set_ylabel("p / ρgH")
@@ -176,7 +178,8 @@ def dam_break_pressure(results, folder):
     for axis in axes[0]:
         axis.legend()
     front = save(figure, folder, "dam_break_lobovsky_front")
-    return [(pressure, "Pressure at the four sensors in the far wall, default solver, and the band of 100 repetitions."),
+    return [(pressure, "Pressure at the four sensors in the far wall, default solver, as means over 0.05 √(H/g), and the band of 100 "
+             "repetitions. The coarsest run's first spikes go beyond the plots."),
             (front, "Front of the same column until the wall at 3.37 H.")]
 
 
@@ -220,7 +223,8 @@ def square_patch(results, folder):
 
 def plain_ticks(axis):
     """1, 2, 5, 10, ... in plain numbers on a logarithmic axis."""
-    axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
+    low, high = axis.get_view_interval()
+    axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5) if high < 30 * low else (1,)))
     axis.set_major_formatter(ticker.FormatStrFormatter("%g"))
     axis.set_minor_formatter(ticker.NullFormatter())
 

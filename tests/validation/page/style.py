@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 # Okabe and Ito's palette: told apart with any colour vision.
 SOLVER_COLOURS = {"corrected": "#0072B2", "hybrid": "#E69F00", "dfsph": "#009E73", "pbf": "#CC79A7"}
-RESOLUTION_COLOURS = ["#9ecae1", "#4292c6", "#08519c", "#041f3d", "#D55E00"]
+RESOLUTION_COLOURS = ["#9ecae1", "#4292c6", "#08519c", "#041f3d", "#D55E00", "#CC79A7"]
 EXPERIMENT = "#222222"
 
 plt.rcParams.update({
@@ -33,7 +33,7 @@ def colour(solver):
 
 def shade(index, count):
     """Light to dark, coarse to fine."""
-    return RESOLUTION_COLOURS[min(index + max(0, 3 - count), 4)]
+    return RESOLUTION_COLOURS[min(index + max(0, 3 - count), len(RESOLUTION_COLOURS) - 1)]
 
 
 def new_figure(columns=1, rows=1, height=3.2, width=8.4, **options):

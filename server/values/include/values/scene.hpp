@@ -61,8 +61,8 @@ struct SolverSettings {
   PressureMethod method = PressureMethod::kConjugateGradient;
   ConstraintSettings density{3e-4, 0, 100};     ///< corrected: the repair of positions
   ConstraintSettings divergence{3e-4, 2, 100};  ///< corrected: the velocity solve
-  double relaxation = 0.5;                      ///< damping of the Jacobi methods, 0 to 1
-  double warm_start = 1.0;  ///< share of the last pressure that the conjugate gradients start from, 0 to 1
+  double relaxation = 0.5;                      ///< damping of the Jacobi methods, 0 to 0.9
+  double warm_start = 1.0;  ///< share of the last pressure that a solve starts from, 0 to 1; not by the paper's method
   double filter = 3.0;      ///< corrected: strength of the velocity filter, no unit
 };
 
