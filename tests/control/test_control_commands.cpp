@@ -85,7 +85,7 @@ TEST_F(ControlCommands, StatusCarriesEveryField) {
   s.recoveries = 16;
   s.effort = {0.005, 3e-4, 1e-3};
   s.governed = s.over_budget = true;
-  s.wind = WindSettings{wind_velocity(12.0, 270.0), 2.0, 5.0, 1.25, WindPulse{8.0, 3.0}};
+  s.wind = WindSettings{wind_velocity(12.0, 270.0), 2.0, 5.0, 1.25, WindPulse{8.0, 3.0}, WindLaw::kStress, 5e-4};
   BodyState body;
   body.body = 1;
   body.position = {1.0, 2.0, 3.0};
@@ -135,6 +135,8 @@ TEST_F(ControlCommands, StatusCarriesEveryField) {
   EXPECT_EQ(m.wind().beta(), 1.25);
   EXPECT_EQ(m.wind().pulse().period(), 8.0);
   EXPECT_EQ(m.wind().pulse().width(), 3.0);
+  EXPECT_EQ(m.wind().law(), proto::v1::Wind::STRESS);
+  EXPECT_EQ(m.wind().roughness(), 5e-4);
   ASSERT_EQ(m.body_size(), 1);
   EXPECT_EQ(m.body(0).id(), 1u);
   EXPECT_EQ(m.body(0).position().z(), 3.0);
@@ -205,6 +207,24 @@ TEST_F(ControlCommands, WindInEachOfItsThreeForms) {
   EXPECT_EQ(last_wind().wind.length, 2.0);
   ASSERT_TRUE(last_wind().wind.pulse);
   EXPECT_EQ(last_wind().wind.pulse->width, 4.0);
+}
+
+TEST_F(ControlCommands, WindChangesItsLawWithItsOwnRoughness) {
+  status_.wind = WindSettings{wind_velocity(8.0, 90.0), 2.0, 5.0, 1.25, WindPulse{8.0, 3.0}};
+  proto::v1::Wind wind;
+  wind.set_law(proto::v1::Wind::PAPER);
+  const auto refused = set_wind(wind);  // the pulse in seconds would become one in steps
+  EXPECT_EQ(refused.error().field(), "set_wind.wind.law");
+  EXPECT_THAT(refused.error().message(), testing::HasSubstr("a pulse, or clear_pulse"));
+  wind.mutable_pulse()->set_period(10.0);
+  wind.mutable_pulse()->set_width(100.0);
+  EXPECT_TRUE(set_wind(wind).has_accepted());
+  EXPECT_EQ(last_wind().wind.law, WindLaw::kPaper);
+  EXPECT_EQ(last_wind().wind.roughness, 0.01);
+  wind.Clear();
+  wind.set_speed(10.0);
+  EXPECT_TRUE(set_wind(wind).has_accepted());
+  EXPECT_EQ(last_wind().wind.law, WindLaw::kPaper) << "what is left out stays";
 }
 
 TEST_F(ControlCommands, WindKeepsWhatIsLeftOut) {

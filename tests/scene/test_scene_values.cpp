@@ -97,5 +97,21 @@ TEST(SceneFile, TurnsShipAnglesIntoTheWorldFrame) {
   EXPECT_GT(axis("roll_deg: 10", port).z(), 0.17);      // starboard down: port up
 }
 
+TEST(SceneFile, WindHasTheLawThatItNames) {
+  const auto wind_of = [](const std::string& text) {
+    return *read_with("wind { velocity { x: 9 } " + text + " }").scene->wind;
+  };
+  EXPECT_EQ(wind_of("").law, WindLaw::kGust);
+  EXPECT_EQ(wind_of("").roughness, 2e-4);
+  EXPECT_EQ(wind_of("law: GUST").law, WindLaw::kGust);
+  EXPECT_EQ(wind_of("law: STRESS roughness: 0.001").law, WindLaw::kStress);
+  EXPECT_EQ(wind_of("law: STRESS roughness: 0.001").roughness, 0.001);
+  const WindSettings paper = wind_of("law: PAPER pulse { period: 10 width: 100 }");  // steps, as printed
+  EXPECT_EQ(paper.law, WindLaw::kPaper);
+  EXPECT_EQ(paper.roughness, 0.01);
+  ASSERT_TRUE(paper.pulse);
+  EXPECT_TRUE(never_closes(*paper.pulse));
+}
+
 }  // namespace
 }  // namespace pelagos

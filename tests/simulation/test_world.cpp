@@ -139,6 +139,53 @@ TEST(World, NoWindCostsNothingAndWindCarriesTheWater) {
   EXPECT_GT(drift / static_cast<double>(windy.fluid().particles.count), 0.0);
 }
 
+/// Kinetic energy of the mean flow that a steady wind has raised in a channel without ends after 2 s, J, with steps of
+/// at most `step`. What single particles move besides is the method's noise and no gain.
+double energy_gained(WindLaw law, double step) {
+  Scene scene = basin();
+  scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kPeriodic, TankEdge::kMirror};
+  scene.water.settle_steps = 0;
+  scene.time_step.max_step = step;
+  scene.wind = breeze();
+  scene.wind->law = law;
+  scene.wind->amplitude = 0.0;
+  scene.wind->velocity = {law == WindLaw::kStress ? 40.0 : 12.0, 0.0, 0.0};
+  World world(scene, {1, nullptr, {}});
+  while (world.time() < 2.0 - 1e-9) world.advance();
+  const FluidParticles& p = world.fluid().particles;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < p.count; ++i) sum += static_cast<double>(p.velocity[i].x);
+  const double mass = 1000.0 * world.fluid().parameters.volume();
+  return 0.5 * mass * sum * sum / static_cast<double>(p.count);
+}
+
+TEST(World, HalfTheStepTakesTheSameEnergyFromTheWind) {
+  for (const WindLaw law : {WindLaw::kGust, WindLaw::kStress}) {
+    const double whole = energy_gained(law, 0.008), half = energy_gained(law, 0.004);
+    EXPECT_GT(whole, 0.1) << "J; else there is nothing to compare";
+    EXPECT_LT(std::abs(half / whole - 1.0), 0.05) << static_cast<int>(law) << ": " << whole << " and " << half;
+  }
+}
+
+TEST(World, ThePapersWindGivesMoreToShorterSteps) {
+  // A velocity is added every step: twice the steps, twice the velocity, four times the energy.
+  const double whole = energy_gained(WindLaw::kPaper, 0.008), half = energy_gained(WindLaw::kPaper, 0.004);
+  EXPECT_GT(half / whole, 3.0);
+}
+
+TEST(World, TellsTheAirThatPushesItsWater) {
+  Scene scene = basin();
+  World world(scene, {1, nullptr, {}});
+  EXPECT_FALSE(world.air());
+  WindSettings wind = breeze();
+  world.set_wind(wind, 0.0);
+  ASSERT_TRUE(world.air());
+  const Eigen::Vector3d mast(1.0, 2.0, world.water_level() + 10.0);
+  wind.amplitude = 0.0;
+  world.set_wind(wind, 0.0);
+  EXPECT_LT((world.air()->velocity_at(mast, world.time()) - wind.velocity).norm(), 1e-12);
+}
+
 TEST(World, RefusesABodyWithoutAMesh) {
   Scene scene = basin();
   BodySettings body;

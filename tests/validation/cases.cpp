@@ -58,6 +58,13 @@ const std::vector<Case>& all_cases() {
        "tolerance, "
        "which the paper does not give, is 0.01 % here.",
        "Its figures 4 to 7 and the mean iterations in its text.", run_paper_dam_break},
+      {"wind", "Wind",
+       "The air's profile and gusts; the energy of the mean flow that a channel without ends takes from a steady wind "
+       "in 2 s, with "
+       "steps "
+       "of 4 and of 2 ms, under each law; and the paper's own wind scene with its law and numbers as printed. A pulse "
+       "of width 100 in a period of 10 never closes.",
+       "Closed forms; the paper's figures 8 and 9.", run_wind},
       {"work_precision", "Work and precision",
        "Three small problems while one knob is turned: tolerance, time step, resolution. Wall time for a simulated "
        "second "

@@ -30,7 +30,8 @@ constexpr const char* kExamples = R"(Examples:
 Exit status: 0 done; 1 refused or not reachable; 2 wrong command line.)";
 
 struct WindOptions {
-  double speed = 0, from = 0, ramp = 0, amplitude = 0, length = 0, beta = 0, period = 0, width = 0;
+  double speed = 0, from = 0, ramp = 0, amplitude = 0, length = 0, beta = 0, period = 0, width = 0, roughness = 0;
+  std::string law;
   int beaufort = 0;
   std::vector<double> velocity;
   bool off = false;
@@ -103,6 +104,9 @@ void CommandLine::add_wind_options() {
   wind->add_option("--amplitude", w.amplitude, "Largest gust of each component, m/s (0 to 30)");
   wind->add_option("--length", w.length, "Size of the gusts, m (0.01 to 10000)");
   wind->add_option("--beta", w.beta, "Control factor of the push (0 to 100)");
+  wind->add_option("--law", w.law, "How it pushes the water: gust, stress or paper")
+      ->check(CLI::IsMember({"gust", "stress", "paper"}));
+  wind->add_option("--roughness", w.roughness, "Roughness of the log profile above the sea, m (1e-6 to 5)");
   CLI::Option* period = wind->add_option("--period", w.period, "Pulse: period, s");
   CLI::Option* width = wind->add_option("--width", w.width, "Pulse: how long it blows of each period, s");
   period->needs(width);
@@ -129,6 +133,11 @@ void fill_wind(const CommandLine& line, Request& request) {
   if (given(wind, "--amplitude")) out.set_amplitude(w.amplitude);
   if (given(wind, "--length")) out.set_length(w.length);
   if (given(wind, "--beta")) out.set_beta(w.beta);
+  if (given(wind, "--law"))
+    out.set_law(w.law == "gust"     ? proto::v1::Wind::GUST
+                : w.law == "stress" ? proto::v1::Wind::STRESS
+                                    : proto::v1::Wind::PAPER);
+  if (given(wind, "--roughness")) out.set_roughness(w.roughness);
   if (given(wind, "--period")) {
     out.mutable_pulse()->set_period(w.period);
     out.mutable_pulse()->set_width(w.width);

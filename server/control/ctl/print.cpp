@@ -52,7 +52,11 @@ std::string describe_wind(const proto::v1::Status& status) {
   const auto& wind = status.wind();
   std::string text = format("%.1f m/s from %03.0f, gusts +-%.1f m/s over %.3g m, factor %.3g", wind.speed(),
                             wind.from_deg(), wind.amplitude(), wind.length(), wind.beta());
-  if (wind.has_pulse()) text += format(", blowing %.3g s of every %.3g s", wind.pulse().width(), wind.pulse().period());
+  const char* unit = wind.law() == proto::v1::Wind::PAPER ? "steps" : "s";
+  if (wind.has_pulse())
+    text += format(", blowing %.3g %s of every %.3g %s", wind.pulse().width(), unit, wind.pulse().period(), unit);
+  if (wind.law() == proto::v1::Wind::STRESS) text += ", law stress";
+  if (wind.law() == proto::v1::Wind::PAPER) text += ", law paper: its push depends on the time step";
   return text;
 }
 

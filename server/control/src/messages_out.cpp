@@ -11,6 +11,18 @@ void fill(const Eigen::Vector3d& from, proto::v1::Vector& to) {
   to.set_z(from.z());
 }
 
+proto::v1::Wind::Law law_of(WindLaw law) {
+  switch (law) {
+    case WindLaw::kGust:
+      return proto::v1::Wind::GUST;
+    case WindLaw::kStress:
+      return proto::v1::Wind::STRESS;
+    case WindLaw::kPaper:
+      return proto::v1::Wind::PAPER;
+  }
+  return proto::v1::Wind::LAW_DEFAULT;
+}
+
 void fill(const WindSettings& from, proto::v1::WindStatus& to) {
   to.set_speed(from.velocity.head<2>().norm());
   to.set_from_deg(wind_from_deg(from.velocity));
@@ -22,6 +34,8 @@ void fill(const WindSettings& from, proto::v1::WindStatus& to) {
     to.mutable_pulse()->set_period(from.pulse->period);
     to.mutable_pulse()->set_width(from.pulse->width);
   }
+  to.set_law(law_of(from.law));
+  to.set_roughness(from.roughness);
 }
 
 proto::v1::BodyStatus::Health to_health(PoseHealth health) {

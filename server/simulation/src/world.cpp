@@ -40,14 +40,11 @@ Bodies make_bodies(TaskPool& pool, const Scene& scene) {
   throw std::invalid_argument(text);
 }
 
-GustSite gust_site(const Scene& scene, const Eigen::Vector3d& origin, double water_level) {
-  GustSite site;
-  site.spacing = scene.particle_spacing;
-  site.gravity = scene.gravity;
-  site.rest_density = scene.water.rest_density;
-  site.water_level = water_level - origin.z();
-  site.seed = scene.seed;
-  return site;
+WindSite wind_site(const Scene& scene, const Eigen::Vector3d& origin, double water_level) {
+  return {{origin, water_level, scene.tank.min.z(), scene.seed},
+          scene.particle_spacing,
+          scene.gravity,
+          scene.water.rest_density};
 }
 
 SurfaceScales surface_scales(const FluidParameters& parameters) {
@@ -68,7 +65,7 @@ World::World(const Scene& scene, const WorldOptions& options)
       surface_(scene.surface, surface_scales(fluid_.parameters)),
       max_step_(largest_time_step(scene)) {
   if (!bodies_.empty()) bodies_.place(origin_, fluid_);
-  if (scene_.wind) wind_.emplace(gust_site(scene_, origin_, water_level_), *scene_.wind);
+  if (scene_.wind) wind_.emplace(wind_site(scene_, origin_, water_level_), *scene_.wind);
   settle();
   for (std::size_t i = 0; i < fluid_.particles.count; ++i)
     fluid_.particles.acceleration[i] = {0.0F, 0.0F, static_cast<float>(-scene_.gravity), 0.0F};
@@ -114,7 +111,7 @@ WorldStep World::advance() {
   if (wind_) {
     const StageScope scope(report.times, clock, Stage::kWind);
     FluidParticles& p = fluid_.particles;
-    wind_->add_acceleration(*pool_, p.position, p.count, now + dt, p.acceleration);
+    wind_->act(*pool_, p.position, p.count, now + dt, p.acceleration, p.velocity);
   }
   {
     const StageScope scope(report.times, clock, Stage::kMeasure);
@@ -146,14 +143,19 @@ void World::set_wind(const WindSettings& wind, double ramp_seconds) {
     WindSettings calm = wind;
     calm.velocity.setZero();
     calm.amplitude = 0.0;
-    wind_.emplace(gust_site(scene_, origin_, water_level_), calm, clock_.time());
+    wind_.emplace(wind_site(scene_, origin_, water_level_), calm, clock_.time());
   }
   wind_->set(wind, clock_.time(), ramp_seconds);
 }
 
 std::optional<WindSettings> World::wind() const {
   if (!wind_) return std::nullopt;
-  return wind_->settings_at(clock_.time());
+  return wind_->air().settings_at(clock_.time());
+}
+
+std::optional<Air> World::air() const {
+  if (!wind_) return std::nullopt;
+  return wind_->air();
 }
 
 void World::set_effort(const Effort& effort) {

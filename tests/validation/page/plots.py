@@ -221,6 +221,24 @@ def square_patch(results, folder):
              f"The patch, {setup}; the square is where it began. Nothing pulls it together.")]
 
 
+def wind(results, folder):
+    setup = [name for name in results.setups("wind") if name.startswith("paper")]
+    if not setup:
+        return []
+    figure, axes = new_figure(2, 2, width=9.6, height=2.0)
+    for k, axis in enumerate(axes.flat):
+        snapshot = results.series("wind", f"snapshot{k + 1}", setup[0], "hybrid")
+        picture = axis.scatter(snapshot["x"], snapshot["z"], c=snapshot["speed"], s=2.5, vmin=0, vmax=4, cmap="viridis",
+                               linewidths=0)
+        axis.set(title=f"{k + 1} of 4 quarters of the run", xlim=(0, 5), ylim=(0, 2), aspect="equal",
+                 ylabel="z (m)" if k % 2 == 0 else "", xlabel="x (m)" if k > 1 else "")
+        axis.grid(False)
+    figure.colorbar(picture, ax=axes, label="speed (m/s)", shrink=0.7)
+    return [(save(figure, folder, "paper_figure_9"),
+             "The paper's figure 9: a slab of its wind scene, coloured by speed; the wind blows to the left. "
+             "The paper: peaks meet, and waves overturn.")]
+
+
 def plain_ticks(axis):
     """1, 2, 5, 10, ... in plain numbers on a logarithmic axis."""
     low, high = axis.get_view_interval()

@@ -1,6 +1,7 @@
 #include "messages/read_wind.hpp"
 
 #include "values/beaufort.hpp"
+#include "wind.pb.h"
 
 namespace pelagos {
 namespace {
@@ -66,6 +67,17 @@ void read_mean(const FieldReader& reader, const std::optional<WindSettings>& pre
   if (!unchanged) velocity = wind_velocity(speed, from_deg);
 }
 
+/// The pulse of the paper's law: counted in steps, and taken as printed.
+WindPulse read_pulse_in_steps(const FieldReader& reader) {
+  constexpr Range kSteps{1.0, 1e6, "steps"};
+  WindPulse pulse;
+  reader.require("period");
+  reader.require("width");
+  reader.read("period", kSteps, pulse.period);
+  reader.read("width", kSteps, pulse.width);
+  return pulse;
+}
+
 WindPulse read_pulse(const FieldReader& reader) {
   WindPulse pulse;
   reader.require("period");
@@ -79,15 +91,43 @@ WindPulse read_pulse(const FieldReader& reader) {
   return pulse;
 }
 
+WindLaw read_law(const FieldReader& reader) {
+  switch (reader.read_enum("law")) {
+    case proto::v1::Wind::STRESS:
+      return WindLaw::kStress;
+    case proto::v1::Wind::PAPER:
+      return WindLaw::kPaper;
+    default:
+      return WindLaw::kGust;
+  }
+}
+
+/// A law that replaces another one brings its own roughness, and its pulse counts something else.
+void change_law(const FieldReader& reader, WindLaw law, WindSettings& wind) {
+  if (law == wind.law) return;
+  const bool other_unit = (law == WindLaw::kPaper) != (wind.law == WindLaw::kPaper);
+  if (wind.pulse && other_unit && !reader.has("pulse"))
+    reader.fault("law", "counts the pulse otherwise (seconds; PAPER: steps); needed with it: a pulse, or clear_pulse");
+  wind.law = law;
+  wind.roughness = default_roughness(law);
+}
+
 }  // namespace
 
 WindSettings read_wind(const FieldReader& reader, const std::optional<WindSettings>& present) {
   WindSettings wind = present.value_or(WindSettings{});
+  if (reader.has("law")) change_law(reader, read_law(reader), wind);
   read_mean(reader, present, wind.velocity);
   reader.read("amplitude", {0.0, 30.0, "m/s"}, wind.amplitude);
   reader.read("length", {0.01, 10000.0, "m"}, wind.length);
   reader.read("beta", {0.0, 100.0, "", "the paper uses 1.5"}, wind.beta);
-  if (reader.has("pulse")) wind.pulse = read_pulse(reader.child("pulse"));
+  if (reader.has("beta") && wind.law == WindLaw::kStress)
+    reader.fault("beta", "is used by the laws GUST and PAPER only; allowed with STRESS: leave it out");
+  reader.read("roughness", {1e-6, 5.0, "m", "z0 of the log profile"}, wind.roughness);
+  if (reader.has("pulse")) {
+    const FieldReader pulse = reader.child("pulse");
+    wind.pulse = wind.law == WindLaw::kPaper ? read_pulse_in_steps(pulse) : read_pulse(pulse);
+  }
   return wind;
 }
 

@@ -17,7 +17,7 @@
 #include "values/scene.hpp"
 #include "values/scene_info.hpp"
 #include "values/snapshot.hpp"
-#include "wind/gust_wind.hpp"
+#include "wind/wind.hpp"
 
 namespace pelagos {
 
@@ -59,6 +59,8 @@ class World {
   void set_wind(const WindSettings& wind, double ramp_seconds);
   void clear_wind() { wind_.reset(); }
   [[nodiscard]] std::optional<WindSettings> wind() const;
+  /// The air as it moves now and from now on, to be asked anywhere; nothing without wind.
+  [[nodiscard]] std::optional<Air> air() const;
 
   /// What the coming steps may cost. The scene's own until it is set; warm starts and states are kept.
   void set_effort(const Effort& effort);
@@ -95,7 +97,7 @@ class World {
   FrameClock clock_;
   Bodies bodies_;
   FluidState fluid_;
-  std::optional<GustWind> wind_;
+  std::optional<Wind> wind_;
   SurfaceExtractor surface_;
   double max_step_ = 0.0;
   double largest_speed_ = 0.0;
