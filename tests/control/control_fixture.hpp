@@ -126,6 +126,10 @@ class ControlTest : public testing::Test {
     const std::lock_guard lock(mutex_);
     return commands_;
   }
+  std::vector<ScheduledCommand> scheduled() {
+    const std::lock_guard lock(mutex_);
+    return scheduled_;
+  }
   std::string log() {
     const std::lock_guard lock(mutex_);
     return log_;
@@ -156,6 +160,7 @@ class ControlTest : public testing::Test {
   ServerStatus status_;                 // set before the server starts
   std::optional<std::string> refusal_;  // likewise
   bool throws_ = false;                 // likewise
+  double now_ = 0.0;                    // likewise: s, the present simulated time
 
  private:
   ControlHooks hooks() {
@@ -169,6 +174,19 @@ class ControlTest : public testing::Test {
       commands_.push_back(command);
       return std::nullopt;
     };
+    hooks.schedule = [this](const Command& command, double at, const std::string& source) -> ScheduleAnswer {
+      if (at < now_) return {ScheduleAnswer::Outcome::kPast, 0, now_, {}};
+      if (refusal_) return {ScheduleAnswer::Outcome::kRefused, 0, now_, *refusal_};
+      const std::lock_guard lock(mutex_);
+      scheduled_.push_back({scheduled_.size() + 1, at, command, source});
+      return {ScheduleAnswer::Outcome::kTaken, scheduled_.size(), now_, {}};
+    };
+    hooks.cancel = [this](std::uint64_t id, const std::string&) {
+      const std::lock_guard lock(mutex_);
+      return std::erase_if(scheduled_, [id](const ScheduledCommand& waiting) { return waiting.id == id; }) > 0;
+    };
+    hooks.scheduled = [this] { return scheduled(); };
+    hooks.wind_before = [this](std::optional<double>) { return last_wind_set(); };
     hooks.status = [this] { return status_; };
     hooks.log = [this](LogLevel, std::string_view text) {
       const std::lock_guard lock(mutex_);
@@ -177,8 +195,19 @@ class ControlTest : public testing::Test {
     return hooks;
   }
 
+  std::optional<WindSettings> last_wind_set() {
+    const std::lock_guard lock(mutex_);
+    std::optional<WindSettings> wind = status_.wind;
+    for (const Command& command : commands_) {
+      if (const auto* set = std::get_if<SetWind>(&command)) wind = set->wind;
+      if (std::holds_alternative<ClearWind>(command)) wind.reset();
+    }
+    return wind;
+  }
+
   std::mutex mutex_;
   std::vector<Command> commands_;
+  std::vector<ScheduledCommand> scheduled_;
   std::string log_;
   std::unique_ptr<ControlServer> server_;
 };

@@ -11,13 +11,14 @@
 
 /// The hard cases that take minutes, and the tables of docs/hard_cases.md. Exit status 1 where a case does not pass.
 int main(int argc, char** argv) {
-  CLI::App app("Hard cases of the water: step sweeps, deep water, long runs, crowds. Writes NAME.csv and NAME.md.");
+  CLI::App app(
+      "Hard cases of the water: step sweeps, deep water, long runs, oil, crowds. Writes NAME.csv and NAME.md.");
   app.set_version_flag("--version", std::string("pelagos-hard ") + pelagos::kVersion);
   std::string folder = "out/hard", mode = "all";
   int steps = 100000;
   std::vector<std::string> solvers;
   app.add_option("case", mode, "Which")
-      ->check(CLI::IsMember({"sweep", "deep", "long", "crowd", "all"}))
+      ->check(CLI::IsMember({"sweep", "deep", "long", "oil", "crowd", "all"}))
       ->capture_default_str();
   app.add_option("--out", folder, "Folder for the tables (made where missing)")->capture_default_str();
   app.add_option("--solver", solvers, "Only these solvers (default: all that the case is for)")
@@ -34,6 +35,9 @@ int main(int argc, char** argv) {
     if (wanted("deep"))
       pelagos::hard::deep_water(chosen({"hybrid", "dfsph", "corrected"}), failures).write(folder, "hard_deep");
     if (wanted("crowd")) pelagos::hard::crowds(failures).write(folder, "hard_crowd");
+    if (wanted("oil"))
+      pelagos::hard::oil_runs(chosen({"hybrid", "dfsph", "pbf", "corrected"}), steps, failures)
+          .write(folder, "hard_oil");
     if (wanted("long"))
       pelagos::hard::long_runs(chosen({"hybrid", "dfsph", "pbf", "corrected"}), steps, failures)
           .write(folder, "hard_long");

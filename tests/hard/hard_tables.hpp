@@ -30,6 +30,8 @@ inline const std::vector<std::string> kSweepSolvers = {"hybrid",        "dfsph",
 [[nodiscard]] Table deep_water(const std::vector<std::string>& solvers, int& failures);
 /// Still water and sloshing over so many steps.
 [[nodiscard]] Table long_runs(const std::vector<std::string>& solvers, int steps, int& failures);
+/// Oil of 0.99 and 0.1 times the water's density on a breaking dam, over so many steps.
+[[nodiscard]] Table oil_runs(const std::vector<std::string>& solvers, int steps, int& failures);
 /// Thousands of particles in one place: memory of the neighbour list and time of a step.
 [[nodiscard]] Table crowds(int& failures);
 

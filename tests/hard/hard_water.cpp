@@ -9,8 +9,9 @@
 
 namespace pelagos::hard {
 
-HardWater::HardWater(const FluidParameters& parameters, const std::vector<Float4>& positions, int threads)
-    : pool_(threads), state_(make_fluid(pool_, parameters, positions)) {
+HardWater::HardWater(const FluidParameters& parameters, const std::vector<Float4>& positions, int threads,
+                     const std::vector<std::uint8_t>& phase)
+    : pool_(threads), state_(make_fluid(pool_, parameters, positions, phase)) {
   start_watch();
 }
 
@@ -131,6 +132,18 @@ FluidParameters lattice_tank(const std::string& solver, const std::array<int, 3>
 
 HardWater small_dam(const std::string& solver, double tolerance) {
   return {lattice_tank(solver, {51, 9, 34}, tolerance), block({16, 8, 16}, kSpacing, {kSpacing, kSpacing, kSpacing})};
+}
+
+HardWater oil_dam(const std::string& solver, double density_ratio, int threads) {
+  FluidParameters parameters = lattice_tank(solver, {51, 9, 34}, 3e-4);
+  const double density = density_ratio * parameters.rest_density;
+  // A light crude's viscosity, or what keeps particles calm, as the server has it.
+  parameters.oil = PhaseParameters{density, std::max(0.0064, density * parameters.viscosity)};
+  const std::vector<Float4> positions = block({16, 8, 16}, kSpacing, {kSpacing, kSpacing, kSpacing});
+  std::vector<std::uint8_t> phase;
+  for (const Float4& p : positions)
+    phase.push_back(static_cast<double>(p.z) > 12.5 * kSpacing ? kOilPhase : kWaterPhase);
+  return {parameters, positions, threads, phase};
 }
 
 HardWater still_column(const std::string& solver, int layers, double tolerance) {

@@ -33,7 +33,8 @@ struct Outcome {
 /// Water in a tank advanced step by step with a solver by its name, and what became of it.
 class HardWater {
  public:
-  HardWater(const FluidParameters& parameters, const std::vector<Float4>& positions, int threads = 1);
+  HardWater(const FluidParameters& parameters, const std::vector<Float4>& positions, int threads = 1,
+            const std::vector<std::uint8_t>& phase = {});
 
   /// Advances by dt and takes note. Stops noting once a value is not finite.
   StepReport step(double dt);
@@ -78,6 +79,9 @@ class HardWater {
 
 /// A dam break of about 2,000 particles: 16 x 8 x 16 in a tank three times as long, spacing 0.05 m.
 [[nodiscard]] HardWater small_dam(const std::string& solver, double tolerance = 3e-4);
+
+/// The same, its upper quarter oil of so many times the water's density.
+[[nodiscard]] HardWater oil_dam(const std::string& solver, double density_ratio, int threads = 1);
 
 /// Still water of so many layers, 9 x 9 wide, walls all around, settled; spacing 0.05 m.
 [[nodiscard]] HardWater still_column(const std::string& solver, int layers, double tolerance);

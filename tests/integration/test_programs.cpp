@@ -20,6 +20,8 @@ using testing::HasSubstr;
 
 /// For what takes milliseconds, on a machine with other work.
 constexpr seconds kPatience{60};
+/// For what takes seconds, on such a machine.
+constexpr seconds kLongPatience{240};
 
 std::string program(const std::string& name) { return PELAGOS_BINARY_DIR "/bin/" + name; }
 std::string scene(const std::string& name) { return PELAGOS_SOURCE_DIR "/scenes/" + name + ".scene"; }
@@ -183,6 +185,89 @@ TEST_F(Server, IsExactWithoutAGovernor) {
   EXPECT_EQ(status.at("density_tolerance"), 3e-4);
   EXPECT_EQ(status.at("divergence_tolerance"), 3e-4);
   EXPECT_EQ(status.at("recoveries"), 0);
+}
+
+/// A run of the storm to its end, unpaced, with more options; the state of the water after it, from its report.
+nlohmann::json run_storm(const TemporaryFolder& folder, const std::vector<std::string>& more, std::string& errors,
+                         const std::string& scene_file = scene("storm_rises")) {
+  const std::string report = (folder.path() / "storm.json").string();
+  std::vector<std::string> arguments = server_arguments(scene_file, "127.0.0.1:0");
+  for (const char* option : {"--unpaced", "--report"}) arguments.emplace_back(option);
+  arguments.push_back(report);
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  RunningProgram server(arguments);
+  EXPECT_EQ(server.wait(kLongPatience), 0) << server.errors();
+  errors = server.errors();
+  return nlohmann::json::parse(read_text(report));
+}
+
+TEST(ServerEvents, HappenAtTheirTimesAndReplayToTheSameBits) {
+  const TemporaryFolder folder;
+  const std::string log = (folder.path() / "storm.log").string();
+  std::string first_errors, second_errors;
+  const auto first = run_storm(folder, {"--duration", "8.5", "--threads", "2", "--command-log", log}, first_errors);
+  EXPECT_EQ(first.at("end"), "duration_reached");
+  EXPECT_NEAR(first.at("wind").at("speed_m_s").get<double>(), 18.9, 0.1);  // force 8
+  EXPECT_THAT(first_errors,
+              AllOf(HasSubstr("by scene event 1: wind 18.9 m/s from 270 deg"), HasSubstr("by scene event 2"),
+                    testing::Not(HasSubstr("by scene event 3")), HasSubstr("2 commands were not due before the end")));
+  EXPECT_THAT(read_text(log), AllOf(HasSubstr("source: \"scene event 1\" set_wind"), HasSubstr("end { step:")));
+
+  const auto second = run_storm(folder, {"--threads", "1", "--replay", log}, second_errors);
+  EXPECT_EQ(second.at("end"), "replay_ended");
+  EXPECT_EQ(second.at("state"), first.at("state"));
+  EXPECT_THAT(second_errors, AllOf(HasSubstr("by replay of scene event 1"), HasSubstr("the same bits")));
+}
+
+TEST(ServerEvents, NoReplayOfAnotherScene) {
+  const TemporaryFolder folder;
+  const std::string log = (folder.path() / "a.log").string();
+  std::ofstream(log) << "scene: \"storm_rises\" seed: 7 particles: 3249\n";
+  std::vector<std::string> arguments = server_arguments(scene("still_water"), "127.0.0.1:0");
+  arguments.insert(arguments.end(), {"--replay", log});
+  RunningProgram server(arguments);
+  EXPECT_EQ(server.wait(kPatience), 1);
+  EXPECT_THAT(server.errors(), HasSubstr("is of scene storm_rises with seed 7"));
+  RunningProgram missing({program("pelagos-server"), "--scene", scene("still_water"), "--replay", "/nowhere/a.log"});
+  EXPECT_EQ(missing.wait(kPatience), 1);
+  EXPECT_THAT(missing.errors(), HasSubstr("/nowhere/a.log: no such command log file"));
+}
+
+TEST(ServerEvents, ALogThatCannotBeWrittenIsSaid) {
+  std::vector<std::string> arguments = server_arguments(scene("still_water"), "127.0.0.1:0");
+  arguments.insert(arguments.end(), {"--command-log", "/nowhere/a.log"});
+  RunningProgram server(arguments);
+  EXPECT_EQ(server.wait(kPatience), 1);
+  EXPECT_THAT(server.errors(), HasSubstr("cannot write the command log /nowhere/a.log"));
+}
+
+TEST_F(Server, SchedulesCommandsOfStationsAndLogsThem) {
+  const TemporaryFolder folder;
+  const std::string log = (folder.path() / "run.log").string();
+  start({"--command-log", log});
+  ASSERT_EQ(ask({"pause"}), 0);
+  ASSERT_EQ(ask({"current", "--speed", "1", "--to", "90", "--at", "1000000"}), 0);
+  EXPECT_EQ(answer_, "scheduled as 1\n");
+  ASSERT_EQ(ask({"wind", "--speed", "5", "--from", "0", "--at", "2000000"}), 0);
+  ASSERT_EQ(ask({"schedule"}), 0);
+  EXPECT_THAT(answer_, AllOf(HasSubstr("set_current"), HasSubstr("set_wind")));
+  ASSERT_EQ(ask({"cancel", "1"}), 0);
+  ASSERT_EQ(ask({"current", "--speed", "1", "--to", "90"}), 0);
+  ASSERT_EQ(ask({"resume"}), 0);
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (ask({"pause", "--at", "0"}) == 0 && std::chrono::steady_clock::now() < end) {  // until the present is later
+    ASSERT_EQ(ask({"resume"}), 0);
+  }
+  while (server_->errors().find("carries only what drifts") == std::string::npos &&
+         std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(milliseconds(20));
+  server_->signal(SIGTERM);
+  EXPECT_EQ(server_->wait(kPatience), 0) << server_->errors();
+  EXPECT_THAT(server_->errors(), AllOf(HasSubstr("scheduled command 1 for 1e+06 s: current 1.00 m/s to 90 deg"),
+                                       HasSubstr("cancelled command 1"), HasSubstr("closed along x"),
+                                       HasSubstr("1 commands were not due before the end")));
+  EXPECT_THAT(read_text(log), AllOf(HasSubstr("pause {"), HasSubstr("set_current {"), HasSubstr("resume {"),
+                                    testing::Not(HasSubstr("set_wind"))));
 }
 
 TEST(ServerCommandLine, RefusesAnUnknownOption) {

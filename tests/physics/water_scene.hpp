@@ -11,8 +11,9 @@ namespace pelagos::test {
 /// Water in a closed tank, advanced the way the simulation does it.
 class WaterScene {
  public:
-  WaterScene(int threads, const FluidParameters& parameters, std::span<const Float4> points)
-      : pool(threads), state(make_fluid(pool, parameters, points)) {}
+  WaterScene(int threads, const FluidParameters& parameters, std::span<const Float4> points,
+             std::span<const std::uint8_t> phase = {})
+      : pool(threads), state(make_fluid(pool, parameters, points, phase)) {}
 
   StepReport step(double dt) {
     StepReport report;

@@ -61,6 +61,16 @@ TEST(ShippedScenes, WindWavesIsThePapers) {
   EXPECT_FALSE(scene.wind->pulse);
 }
 
+TEST(ShippedScenes, OilSpillIsThePapers) {
+  const Scene scene = load("oil_spill.scene");
+  ASSERT_TRUE(scene.oil);
+  EXPECT_EQ(scene.water.rest_density, 1027.0);
+  EXPECT_EQ(scene.oil->properties.density, 800.0);
+  EXPECT_EQ(particle_count(scene), 64251 + 10179);  // the paper's 64.3k and about 10k
+  ASSERT_TRUE(scene.wind);
+  EXPECT_EQ(scene.wind->velocity, Eigen::Vector3d(-18.0, -0.5, 0.0));
+}
+
 TEST(ShippedScenes, StillWaterIsSmall) { EXPECT_EQ(particle_count(load("still_water.scene")), 3249); }
 
 TEST(ShippedScenes, BridgeCarriesTheOwnShip) {
@@ -77,6 +87,18 @@ TEST(ShippedScenes, BridgeCarriesTheOwnShip) {
   EXPECT_EQ(scene.far_sea.beaufort, 5);
 }
 
+TEST(ShippedScenes, StormRisesTellsItsStory) {
+  const Scene scene = load("storm_rises.scene");
+  ASSERT_EQ(scene.events.size(), 4U);
+  const auto rise = std::get<SetWind>(scene.events[0].command), turn = std::get<SetWind>(scene.events[2].command);
+  EXPECT_NEAR(rise.wind.velocity.norm(), beaufort_speed(8), 1e-12);  // sin and cos round
+  EXPECT_TRUE(std::get<SetWind>(scene.events[1].command).wind.pulse);
+  EXPECT_NEAR(wind_from_deg(turn.wind.velocity), 315.0, 1e-9);
+  EXPECT_NEAR(turn.wind.velocity.norm(), beaufort_speed(8), 1e-9);
+  EXPECT_FALSE(turn.wind.pulse);
+  EXPECT_TRUE(std::holds_alternative<ClearWind>(scene.events[3].command));
+}
+
 TEST(ShippedScenes, EverySceneLoads) {
   int scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(std::string(PELAGOS_SOURCE_DIR) + "/scenes")) {
@@ -85,7 +107,7 @@ TEST(ShippedScenes, EverySceneLoads) {
     const SceneResult result = read_scene_file(entry.path());
     EXPECT_TRUE(result) << result.report();
   }
-  EXPECT_GE(scenes, 4);
+  EXPECT_GE(scenes, 5);
 }
 
 }  // namespace

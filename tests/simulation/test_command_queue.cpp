@@ -11,12 +11,12 @@ TEST(CommandQueue, KeepsTheOrderOfArrival) {
   EXPECT_FALSE(queue.submit(StepSimulation{3}, "b"));
   EXPECT_FALSE(queue.submit(ResumeSimulation{}, "c"));
   std::vector<QueuedCommand> taken;
-  queue.take(taken);
+  queue.take(0.0, taken);
   ASSERT_EQ(taken.size(), 3U);
   EXPECT_EQ(taken[0].source, "a");
   EXPECT_EQ(std::get<StepSimulation>(taken[1].command).steps, 3U);
   EXPECT_TRUE(std::holds_alternative<ResumeSimulation>(taken[2].command));
-  queue.take(taken);
+  queue.take(0.0, taken);
   EXPECT_TRUE(taken.empty());
 }
 

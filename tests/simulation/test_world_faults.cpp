@@ -6,14 +6,9 @@
 #include <limits>
 
 #include "basin.hpp"
-#include "simulation/world.hpp"
+#include "world_access.hpp"
 
 namespace pelagos {
-
-/// Reaches into a world, as its faults do.
-struct WorldTestAccess {
-  static FluidState& fluid(World& world) { return world.fluid_; }
-};
 
 namespace {
 

@@ -279,5 +279,26 @@ TEST(SurfaceExtractor, CopesWithNoWater) {
   EXPECT_TRUE(result.particles.empty());
 }
 
+TEST(SurfaceExtractor, TakesAllOilWithItsPhase) {
+  std::vector<Float4> water;
+  for (int k = 0; k < 9; ++k)
+    for (int j = 0; j < 9; ++j)
+      for (int i = 0; i < 9; ++i)
+        water.push_back({0.1f * static_cast<float>(i), 0.1f * static_cast<float>(j), 0.1f * static_cast<float>(k), 0});
+  World world(water);
+  const std::size_t middle = 4 * 81 + 4 * 9 + 4;
+  const Result plain = extract(world);
+  ASSERT_FALSE(std::binary_search(plain.indices.begin(), plain.indices.end(), middle)) << "deep inside";
+  for (const SurfaceParticle& particle : plain.particles) ASSERT_EQ(particle.phase, kWaterPhase);
+  world.fluid.phase.assign(padded_count(world.fluid.count), kWaterPhase);
+  world.fluid.phase[middle] = world.fluid.phase[0] = kOilPhase;  // and one at the surface
+  const Result result = extract(world);
+  ASSERT_EQ(result.particles.size(), plain.particles.size() + 1);
+  EXPECT_EQ(result.counts.oil, 1u);
+  EXPECT_EQ(result.counts.surface, plain.counts.surface);
+  for (std::size_t n = 0; n < result.indices.size(); ++n)
+    EXPECT_EQ(result.particles[n].phase, world.fluid.phase[result.indices[n]]);
+}
+
 }  // namespace
 }  // namespace pelagos

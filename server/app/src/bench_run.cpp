@@ -1,7 +1,9 @@
 #include "bench_run.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "command_queue.hpp"
 #include "machine.hpp"
 #include "monotonic_clock.hpp"
 #include "simulation/world.hpp"
@@ -70,7 +72,13 @@ BenchResult run_bench(const Scene& scene, const BenchOptions& options, const std
     return options.steps > 0 ? static_cast<double>(steps) / static_cast<double>(options.steps)
                              : world.time() / options.seconds;
   };
+  CommandQueue events(scene.events, scene.wind);
+  std::vector<QueuedCommand> due;
   while (part_done() < 1.0 - 1e-9) {
+    events.take(world.time(), due);
+    for (const QueuedCommand& event : due) {  // nobody could resume: a pause does nothing
+      if (const auto refusal = world.apply(event.command)) throw std::runtime_error(event.source + ": " + *refusal);
+    }
     WorldStep step = world.advance();
     if (options.surface && step.frame_reached) world.fill_snapshot(snapshot, step.report);
     tally.add(step.report, world.energy(step.report));

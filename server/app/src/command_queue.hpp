@@ -1,9 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "values/command.hpp"
@@ -15,33 +15,65 @@ struct QueuedCommand {
   std::string source;  ///< who asked for it
 };
 
-/// Commands on their way from the control link to the next step boundary. Any thread submits, the simulation takes.
+/// That the schedule was changed, for an event.
+struct ScheduleChange {
+  ScheduledCommand command;
+  bool cancelled = false;  ///< else newly taken
+  std::string by;          ///< who changed it
+};
+
+/// Commands on their way to a step boundary: those for the next one, and those that wait for a time. Any thread
+/// submits, the simulation takes.
 class CommandQueue {
  public:
-  /// Takes a command, or says why it cannot be done now.
-  std::optional<std::string> submit(const Command& command, const std::string& source) {
-    const std::scoped_lock lock(mutex_);
-    if (commands_.size() >= kCapacity) return "too many commands are waiting; send fewer";
-    if (std::holds_alternative<PauseSimulation>(command)) will_pause_ = true;
-    if (std::holds_alternative<ResumeSimulation>(command)) will_pause_ = false;
-    if (std::holds_alternative<StepSimulation>(command) && !will_pause_)
-      return "the simulation is running; pause it before stepping";
-    commands_.push_back({command, source});
-    return std::nullopt;
-  }
+  /// Commands that may wait for their time at once, the scene's events included.
+  static constexpr std::size_t kMostScheduled = 1000;
 
-  /// Moves all waiting commands into `out`, in order of arrival.
-  void take(std::vector<QueuedCommand>& out) {
-    out.clear();
-    const std::scoped_lock lock(mutex_);
-    out.swap(commands_);
-  }
+  CommandQueue() = default;
+  /// With the events of a scene, and the wind that it starts with. Sources are "scene event 1", "scene event 2", ... in
+  /// the order given.
+  CommandQueue(const std::vector<SceneEvent>& events, const std::optional<WindSettings>& wind);
+
+  /// Takes a command for the next boundary, or says why it cannot be done now.
+  std::optional<std::string> submit(const Command& command, const std::string& source);
+
+  /// What schedule did: `id` > 0 if the command waits now; else the time has passed (`past`) or there is a refusal.
+  struct Scheduled {
+    std::uint64_t id = 0;
+    bool past = false;
+    double present_time = 0.0;  ///< s, of the last boundary
+    std::string refusal;
+  };
+  /// Takes a command for the first boundary at or after `at` (s, simulated, finite).
+  Scheduled schedule(const Command& command, double at, const std::string& source);
+  /// False if none waits under that id.
+  bool cancel(std::uint64_t id, const std::string& by);
+  /// All that wait, in the order in which they fall due.
+  [[nodiscard]] std::vector<ScheduledCommand> scheduled() const;
+  [[nodiscard]] std::size_t scheduled_count() const;
+
+  /// The wind that will have been set last when a command for `at` (nothing: the next boundary) is applied; nothing: no
+  /// wind.
+  [[nodiscard]] std::optional<WindSettings> wind_before(std::optional<double> at) const;
+
+  /// Moves what is to be applied at a boundary at time `now` into `out`: what has fallen due, in order of time and then
+  /// as given, and after it what was submitted, in order of arrival. `now` never decreases but after a restored fault.
+  void take(double now, std::vector<QueuedCommand>& out);
+  /// Moves the changes of the schedule since the last call into `out`.
+  void take_changes(std::vector<ScheduleChange>& out);
 
  private:
   static constexpr std::size_t kCapacity = 1000;
-  std::mutex mutex_;
+  void insert(ScheduledCommand command);
+
+  mutable std::mutex mutex_;
   std::vector<QueuedCommand> commands_;
-  bool will_pause_ = false;  ///< once all that waits is done
+  std::vector<ScheduledCommand> scheduled_;  ///< by time, then by id
+  std::vector<ScheduleChange> changes_;
+  std::optional<WindSettings> wind_;  ///< last set by what was taken
+  std::uint64_t last_id_ = 0;
+  double now_ = 0.0;
+  bool will_pause_ = false;  ///< once all that waits for the next boundary is done
 };
 
 }  // namespace pelagos

@@ -1,5 +1,7 @@
 #include "run_report.hpp"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -19,6 +21,8 @@ const char* describe(ServerEnd end) {
       return "stopped";
     case ServerEnd::kDurationReached:
       return "duration_reached";
+    case ServerEnd::kReplayEnded:
+      return "replay_ended";
     case ServerEnd::kNumericalFault:
       return "numerical_fault";
   }
@@ -85,6 +89,9 @@ std::string write_run_report(const std::string& file, const ServerSummary& s) {
   json["hull_samples"] = s.hull_samples;
   add_machine(json, s.threads);
   json["peak_memory_bytes"] = peak_memory();
+  json["state"] = {{"step", s.status.step},
+                   {"simulation_time_s", s.status.simulation_time},
+                   {"hash", fmt::format("{:016x}", s.state_hash)}};
   json["speed"] = speed(s);
   json["error"] = error(s);
   json["effort"] = effort(s);
@@ -96,6 +103,9 @@ std::string write_run_report(const std::string& file, const ServerSummary& s) {
   if (s.status.wind)
     json["wind"] = {{"speed_m_s", s.status.wind->velocity.head<2>().norm()},
                     {"from_deg", wind_from_deg(s.status.wind->velocity)}};
+  if (s.status.current)
+    json["current"] = {{"speed_m_s", s.status.current->velocity.norm()},
+                       {"to_deg", current_to_deg(s.status.current->velocity)}};
   std::ofstream out(file);
   out << json.dump(2) << '\n';
   out.close();

@@ -25,19 +25,6 @@ std::vector<std::uint32_t> driven_bodies(const Scene& scene) {
   return ids;
 }
 
-std::string describe_wind(const WindSettings& wind, double ramp_seconds) {
-  return fmt::format("wind {:.1f} m/s from {:.0f} deg, gusts {:.1f} m/s, over {:.1f} s", wind.velocity.head<2>().norm(),
-                     wind_from_deg(wind.velocity), wind.amplitude, ramp_seconds);
-}
-
-/// With every digit, so that a run can be replayed from its events.
-std::string describe_effort(const SetEffort& command) {
-  const Effort& effort = command.effort;
-  return fmt::format("{}: steps up to {:.2f} ms, tolerances {:.2g} and {:.2g} (exactly {}, {} and {})", command.reason,
-                     effort.max_step * 1e3, effort.density_tolerance, effort.divergence_tolerance, effort.max_step,
-                     effort.density_tolerance, effort.divergence_tolerance);
-}
-
 const char* describe_health(PoseHealth health) {
   switch (health) {
     case PoseHealth::kNone:
@@ -55,9 +42,13 @@ const char* describe_health(PoseHealth health) {
 }  // namespace
 
 Server::Server(const ServerOptions& options, const std::atomic<bool>& stop)
-    : options_(options), stop_(stop), window_(monotonic_ns()) {
+    : options_(options),
+      stop_(stop),
+      commands_(options.replay ? std::vector<SceneEvent>{} : options.scene.events, options.scene.wind),
+      window_(monotonic_ns()) {
   status_.scene = options_.scene.name;
   open_links();
+  open_command_log();
 }
 
 Server::~Server() {
@@ -67,14 +58,25 @@ Server::~Server() {
   install_dds_log({});
 }
 
-void Server::open_links() {
+ControlHooks Server::control_hooks() {
   ControlHooks hooks;
-  hooks.submit = [this](const Command& c, const std::string& source) { return commands_.submit(c, source); };
+  hooks.submit = [this](const Command& c, const std::string& source) {
+    const auto refusal = refuse_in_replay(c);
+    return refusal ? refusal : commands_.submit(c, source);
+  };
+  hooks.schedule = [this](const Command& c, double at, const std::string& source) { return schedule(c, at, source); };
+  hooks.cancel = [this](std::uint64_t id, const std::string& source) { return commands_.cancel(id, source); };
+  hooks.scheduled = [this] { return commands_.scheduled(); };
+  hooks.wind_before = [this](std::optional<double> at) { return commands_.wind_before(at); };
   hooks.status = [this] { return current_status(); };
   hooks.log = [](LogLevel level, std::string_view text) {
     level == LogLevel::kInfo ? log_info(text) : level == LogLevel::kWarning ? log_warning(text) : log_error(text);
   };
-  control_ = std::make_unique<ControlServer>(options_.control, hooks);
+  return hooks;
+}
+
+void Server::open_links() {
+  control_ = std::make_unique<ControlServer>(options_.control, control_hooks());
   log_info(fmt::format("control: listening on {}:{}", options_.control.host, control_->port()));
 
   install_dds_log([](std::string_view line) { log_warning(line); });
@@ -83,19 +85,22 @@ void Server::open_links() {
   dds.config_file = options_.dds_config;
   dds.log = [](std::string_view line) { log_warning(line); };
   const auto participant = join_dds(dds);
+  open_world();
+  publisher_ = std::make_unique<FramePublisher>(participant, world_->describe(), PublisherSettings{}, dds.log);
+  poses_ = std::make_unique<PoseReceiver>(participant, driven_bodies(options_.scene), dds.log);
+}
 
+void Server::open_world() {
   WorldOptions world;
   world.threads = options_.threads;
   world.clock = monotonic_ns;
   world.progress = [this](double) { return !stop_.load(); };
   log_info(fmt::format("scene {}: placing and settling the water", options_.scene.name));
   world_ = std::make_unique<World>(options_.scene, world);
-  if (options_.scene.governor.on) {
+  if (options_.scene.governor.on && !options_.replay) {
     governor_.emplace(options_.scene, world_->effort());
     log_info(fmt::format("governor: a frame may take {:.1f} ms", governor_->budget() * 1e3));
   }
-  publisher_ = std::make_unique<FramePublisher>(participant, world_->describe(), PublisherSettings{}, dds.log);
-  poses_ = std::make_unique<PoseReceiver>(participant, driven_bodies(options_.scene), dds.log);
   log_info(fmt::format("scene {}: {} particles of {:g} m, {} boundary samples ({} on hulls), {} threads; DDS domain {}",
                        options_.scene.name, world_->fluid().particles.count, options_.scene.particle_spacing,
                        world_->fluid().static_walls + world_->bodies().sample_count(), world_->bodies().sample_count(),
@@ -108,7 +113,8 @@ ServerSummary Server::run() {
   window_ = StatusWindow(start_ns_);
   announce("start", "server", "scene " + options_.scene.name + " started");
   Pacer pacer(world_->time());
-  while (!stop_.load() && !out_of_time() && !broken_) {
+  if (world_->current()) notice_closed_axes();
+  while (!stop_.load() && !out_of_time() && !replay_ended() && !broken_) {
     apply_commands();
     take_poses();
     if (paused_ && steps_to_make_ == 0) {
@@ -126,8 +132,16 @@ ServerSummary Server::run() {
     refresh_status();
   }
   announce("stop", "server", broken_ ? "stopped: values are not finite" : "stopped");
+  close_command_log();
+  return summarize();
+}
+
+ServerSummary Server::summarize() {
   ServerSummary summary;
-  summary.end = broken_ ? ServerEnd::kNumericalFault : stop_.load() ? ServerEnd::kStopped : ServerEnd::kDurationReached;
+  summary.end = broken_          ? ServerEnd::kNumericalFault
+                : stop_.load()   ? ServerEnd::kStopped
+                : replay_ended() ? ServerEnd::kReplayEnded
+                                 : ServerEnd::kDurationReached;
   summary.status = current_status();
   summary.run = window_.whole_run(monotonic_ns());
   summary.lowest_real_time_factor = window_.lowest_real_time_factor();
@@ -139,6 +153,8 @@ ServerSummary Server::run() {
   summary.frame_budget = governor_ ? governor_->budget() : 0.0;
   summary.hull_samples = world_->bodies().sample_count();
   summary.threads = options_.threads;
+  summary.state_hash = state_hash(world_->fluid().particles);
+  summary.log_failed = command_log_ && command_log_->failed();
   return summary;
 }
 
@@ -146,47 +162,6 @@ bool Server::out_of_time() const {
   if (options_.duration <= 0.0) return false;
   const double passed = options_.paced ? static_cast<double>(monotonic_ns() - start_ns_) * 1e-9 : world_->time();
   return passed >= options_.duration - 1e-9;
-}
-
-void Server::apply_commands() {
-  commands_.take(taken_commands_);
-  for (const QueuedCommand& queued : taken_commands_) apply(queued);
-}
-
-void Server::apply(const QueuedCommand& queued) {
-  struct Visitor {
-    Server& server;
-    const std::string& source;
-    void operator()(const SetWind& c) const {
-      server.world_->set_wind(c.wind, c.ramp_seconds);
-      server.announce("wind", source, describe_wind(c.wind, c.ramp_seconds));
-    }
-    void operator()(const ClearWind&) const {
-      server.world_->clear_wind();
-      server.announce("wind", source, "no wind");
-    }
-    void operator()(const PauseSimulation&) const {
-      if (server.paused_) return;
-      server.paused_ = true;
-      server.announce("pause", source, "paused");
-    }
-    void operator()(const ResumeSimulation&) const {
-      if (!server.paused_) return;
-      server.paused_ = false;
-      server.steps_to_make_ = 0;
-      server.announce("resume", source, "resumed");
-    }
-    void operator()(const StepSimulation& c) const {
-      server.steps_to_make_ += c.steps;
-      server.announce("step", source, "single steps: " + std::to_string(c.steps));
-    }
-    void operator()(const SetEffort& c) const {
-      server.world_->set_effort(c.effort);
-      ++server.effort_changes_;
-      server.announce("governor", source, describe_effort(c));
-    }
-  };
-  std::visit(Visitor{*this, queued.source}, queued.command);
 }
 
 void Server::take_poses() {
@@ -294,7 +269,11 @@ void Server::refresh_status() {
     status_.poses_accepted = poses.accepted;
     status_.poses_refused = poses.refused_in_all();
     status_.wind = world_->wind();
+    status_.current = world_->current();
+    status_.moves_water = world_->current_moves_water();
+    status_.scheduled = static_cast<std::uint32_t>(commands_.scheduled_count());
     status_.bodies = world_->bodies().states();
+    if (world_->spill()) status_.oil = world_->spill()->budget();
     status_.effort = world_->effort();
     status_.recoveries = recoveries_;
     status_.governed = governor_.has_value();

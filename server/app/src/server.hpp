@@ -12,6 +12,8 @@
 #include "control/control_server.hpp"
 #include "convergence_watch.hpp"
 #include "governor.hpp"
+#include "replay.hpp"
+#include "scene/command_log.hpp"
 #include "simulation/world.hpp"
 #include "status_window.hpp"
 #include "transport/frame_publisher.hpp"
@@ -28,10 +30,12 @@ struct ServerOptions {
   double duration = 0.0;  ///< s: wall clock when paced, simulated when not; 0: until stopped
   bool paced = true;
   std::string dds_config;
+  std::string command_log;           ///< file that every applied command is written to; empty: none
+  std::optional<CommandLog> replay;  ///< instead of the scene's events, the stations' commands and the governor
 };
 
 /// How a run ended.
-enum class ServerEnd { kStopped, kDurationReached, kNumericalFault };
+enum class ServerEnd { kStopped, kDurationReached, kReplayEnded, kNumericalFault };
 
 /// Everything that a report of a run states; see run_report.hpp.
 struct ServerSummary {
@@ -47,6 +51,8 @@ struct ServerSummary {
   double frame_budget = 0.0;         ///< s; 0 without a governor
   std::size_t hull_samples = 0;
   int threads = 1;
+  std::uint64_t state_hash = 0;  ///< of the water at the end, see physics/fluid.hpp
+  bool log_failed = false;       ///< the command log could not be written to its end
 };
 
 /// The server: one world, its publisher, its pose receiver and its control link, wired together. The calling thread
@@ -54,7 +60,8 @@ struct ServerSummary {
 class Server {
  public:
   /// Opens the control link, joins DDS and builds the world. Throws DdsError, ControlError or std::invalid_argument,
-  /// each with what to do. @param stop  set from a signal handler: ends construction and run early
+  /// each with what to do: also if a replay is not of this scene. @param stop  set from a signal handler: ends
+  /// construction and run early
   Server(const ServerOptions& options, const std::atomic<bool>& stop);
   ~Server();
 
@@ -65,8 +72,21 @@ class Server {
 
  private:
   void open_links();
+  void open_world();
+  [[nodiscard]] ControlHooks control_hooks();
+  [[nodiscard]] ServerSummary summarize();
+
+  // server_commands.cpp
+  void open_command_log();
+  void close_command_log();
+  std::optional<std::string> refuse_in_replay(const Command& command) const;
+  ScheduleAnswer schedule(const Command& command, double at, const std::string& source);
+  void announce_schedule();
   void apply_commands();
   void apply(const QueuedCommand& queued);
+  bool apply_to_clock(const Command& command);
+  void notice_closed_axes();
+
   void take_poses();
   void advance();
   void publish_frame(StepReport& report);
@@ -79,11 +99,14 @@ class Server {
   void watch_places(const std::vector<BodyState>& states);
   void announce(const std::string& kind, const std::string& source, const std::string& text);
   [[nodiscard]] bool out_of_time() const;
+  [[nodiscard]] bool replay_ended() const { return replay_ && replay_->ended(world_->step()); }
   [[nodiscard]] ServerStatus current_status() const;
 
   ServerOptions options_;
   const std::atomic<bool>& stop_;
   CommandQueue commands_;
+  std::optional<Replay> replay_;
+  std::optional<CommandLogWriter> command_log_;
   std::unique_ptr<ControlServer> control_;
   std::unique_ptr<World> world_;
   std::unique_ptr<FramePublisher> publisher_;
@@ -96,6 +119,7 @@ class Server {
   ServerStatus status_;  ///< shared with the control link
 
   std::vector<QueuedCommand> taken_commands_;
+  std::vector<ScheduleChange> schedule_changes_;
   std::vector<ReceivedPose> taken_poses_;
   std::vector<PoseHealth> pose_health_;
   std::vector<bool> outside_;  ///< by body: last seen outside the tank
@@ -105,6 +129,7 @@ class Server {
   std::uint32_t steps_to_make_ = 0;  ///< while paused
   bool paused_ = false;
   bool broken_ = false;
+  bool closed_axes_noticed_ = false;  ///< that a current cannot flow through the tank
   double surface_s_ = 0.0;
   std::uint64_t frames_filled_ = 0;
   std::int64_t start_ns_ = 0, next_log_ns_ = 0;

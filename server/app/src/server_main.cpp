@@ -10,6 +10,7 @@
 #include "control/endpoint.hpp"
 #include "machine.hpp"
 #include "run_report.hpp"
+#include "scene/command_log.hpp"
 #include "scene/read_scene.hpp"
 #include "server.hpp"
 #include "server_log.hpp"
@@ -24,7 +25,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler
 void request_stop(int) { stop_requested.store(true); }
 
 struct Arguments {
-  std::string scene_file, control = "127.0.0.1:7410", report_file, log_level = "info";
+  std::string scene_file, control = "127.0.0.1:7410", report_file, log_level = "info", replay_file;
   ServerOptions options;
   bool unpaced = false;
 };
@@ -43,6 +44,10 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--dds-config", options.dds_config,
                  "Cyclone DDS configuration (default: CYCLONEDDS_URI, else this machine only)");
   app.add_option("--report", arguments.report_file, "Write what the run reached there, as JSON, at the end");
+  app.add_option("--command-log", options.command_log,
+                 "Write every command there before which step it was applied, as text; see --replay");
+  app.add_option("--replay", arguments.replay_file,
+                 "Give the commands of this log again, at its steps, and end where its run ended: the same bits");
   app.add_option("--log-level", arguments.log_level, "Least level to log")
       ->check(CLI::IsMember({"debug", "info", "warning", "error"}))
       ->capture_default_str();
@@ -54,6 +59,12 @@ bool prepare(Arguments& arguments) {
   if (!scene) {
     std::cerr << "pelagos-server: cannot use the scene:\n" << scene.report() << '\n';
     return false;
+  }
+  if (!arguments.replay_file.empty()) {
+    CommandLogResult log = read_command_log_file(arguments.replay_file);
+    for (const std::string& fault : log.faults) std::cerr << "pelagos-server: --replay: " << fault << '\n';
+    if (!log.log) return false;
+    arguments.options.replay = std::move(log.log);
   }
   const EndpointResult endpoint = parse_endpoint(arguments.control);
   if (!endpoint.endpoint) {
@@ -80,6 +91,7 @@ int serve(const Arguments& arguments) {
       return 1;
     }
   }
+  if (summary.log_failed) return 1;
   return summary.end == ServerEnd::kNumericalFault ? 3 : 0;
 }
 

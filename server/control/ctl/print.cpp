@@ -1,5 +1,7 @@
 #include "print.hpp"
 
+#include <google/protobuf/text_format.h>
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -47,6 +49,22 @@ std::string format(const char* pattern, auto... values) {
   return text.data();
 }
 
+std::string describe_oil(const proto::v1::OilStatus& oil) {
+  std::string text = format(
+      "released %.6g kg: afloat %.6g, contained %.6g, submerged %.6g, recovered %.6g, "
+      "evaporated %.6g, left the patch %.6g",
+      oil.released(), oil.afloat(), oil.contained(), oil.submerged(), oil.recovered(), oil.evaporated(),
+      oil.left_patch());
+  if (oil.elements() > 0)
+    text += format("\n           slick of %.4g m^2, mean %.3g mm, up to %.3g mm thick", oil.area(),
+                   1e3 * oil.mean_thickness(), 1e3 * oil.largest_thickness());
+  if (oil.held_back() > 0.0) text += format("\n           %.4g kg could not flow out", oil.held_back());
+  for (const auto& skimmer : oil.skimmer())
+    text += format("\n           skimmer %s: %.6g kg, now %.3g m^3/h%s", skimmer.name().c_str(), skimmer.recovered(),
+                   skimmer.present_rate(), skimmer.dry() ? ", dry" : "");
+  return text;
+}
+
 std::string describe_wind(const proto::v1::Status& status) {
   if (!status.has_wind()) return "none";
   const auto& wind = status.wind();
@@ -58,6 +76,18 @@ std::string describe_wind(const proto::v1::Status& status) {
   if (wind.law() == proto::v1::Wind::STRESS) text += ", law stress";
   if (wind.law() == proto::v1::Wind::PAPER) text += ", law paper: its push depends on the time step";
   return text;
+}
+
+std::string describe_current(const proto::v1::Status& status) {
+  if (!status.has_current()) return "none";
+  const auto& current = status.current();
+  std::string text = format("%.2f m/s to %03.0f", current.speed(), current.to_deg());
+  if (current.shear() == proto::v1::Current::LINEAR) text += format(", linearly to 0 at %.3g m", current.depth());
+  if (current.shear() == proto::v1::Current::SEVENTH_POWER)
+    text += format(", 1/7 power to 0 at %.3g m", current.depth());
+  std::string axes = current.moves_water_x() ? "x" : "";
+  if (current.moves_water_y()) axes += axes.empty() ? "y" : " and y";
+  return text + (axes.empty() ? ", carries only what drifts" : ", moves the water along " + axes);
 }
 
 std::string describe_body(const proto::v1::BodyStatus& body) {
@@ -123,8 +153,28 @@ std::string describe(const proto::v1::Status& s) {
   text += format("frames     %llu published, %llu dropped\n", ull{s.frames_published()}, ull{s.frames_dropped()});
   text += format("poses      %llu accepted, %llu refused\n", ull{s.poses_accepted()}, ull{s.poses_refused()});
   text += "wind       " + describe_wind(s) + "\n";
+  if (s.has_oil()) text += "oil        " + describe_oil(s.oil()) + "\n";
+  text += "current    " + describe_current(s) + "\n";
+  if (s.scheduled() > 0) text += format("schedule   %u commands wait\n", s.scheduled());
   for (const auto& body : s.body()) text += "body       " + describe_body(body) + "\n";
   text += format("stations   %u\n", s.stations());
+  return text;
+}
+
+std::string describe(const proto::v1::Schedule& schedule) {
+  if (schedule.command_size() == 0) return "nothing is scheduled\n";
+  google::protobuf::TextFormat::Printer printer;
+  printer.SetSingleLineMode(true);
+  std::string text;
+  for (const auto& waiting : schedule.command()) {
+    proto::v1::TimedCommand what = waiting.command();
+    what.clear_at();
+    what.clear_source();
+    std::string words;
+    printer.PrintToString(what, &words);
+    text += format("%6llu  %9.3f s  ", static_cast<unsigned long long>(waiting.id()), waiting.command().at()) + words +
+            "(" + waiting.command().source() + ")\n";
+  }
   return text;
 }
 

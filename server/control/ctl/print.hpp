@@ -15,6 +15,8 @@ namespace pelagos {
 
 /// A status on a handful of lines, for people.
 [[nodiscard]] std::string describe(const proto::v1::Status& status);
+/// The commands that wait, one a line: id, time, what, who; a line of its own if there are none.
+[[nodiscard]] std::string describe(const proto::v1::Schedule& schedule);
 /// An event on one line.
 [[nodiscard]] std::string describe(const proto::v1::Event& event);
 

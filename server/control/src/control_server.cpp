@@ -169,7 +169,7 @@ class ControlServer::Impl {
   const ControlHooks hooks_;
   LimitedLog log_;
   ControlCounters counters_;
-  StationContext context_{options_, hooks_, log_, counters_, {}, {}};
+  StationContext context_{options_, hooks_, log_, counters_, {}};
   asio::io_context io_{1};
   tcp::acceptor acceptor_;
   asio::steady_timer retry_;

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "messages/commands.hpp"
+#include "messages/enums_out.hpp"
+
 namespace pelagos {
 namespace {
 
@@ -11,16 +14,29 @@ void fill(const Eigen::Vector3d& from, proto::v1::Vector& to) {
   to.set_z(from.z());
 }
 
-proto::v1::Wind::Law law_of(WindLaw law) {
-  switch (law) {
-    case WindLaw::kGust:
-      return proto::v1::Wind::GUST;
-    case WindLaw::kStress:
-      return proto::v1::Wind::STRESS;
-    case WindLaw::kPaper:
-      return proto::v1::Wind::PAPER;
+void fill(const OilBudget& from, proto::v1::OilStatus& to) {
+  to.set_released(to_kilograms(from.ledger.released));
+  to.set_afloat(to_kilograms(from.ledger.afloat));
+  to.set_contained(to_kilograms(from.ledger.contained));
+  to.set_submerged(to_kilograms(from.ledger.submerged));
+  to.set_recovered(to_kilograms(from.ledger.recovered));
+  to.set_evaporated(to_kilograms(from.ledger.evaporated));
+  to.set_left_patch(to_kilograms(from.ledger.left_patch));
+  to.set_particles(from.particles);
+  to.set_elements(from.elements);
+  to.set_area(from.area);
+  to.set_mean_thickness(from.mean_thickness);
+  to.set_largest_thickness(from.largest_thickness);
+  to.set_emulsion_water(from.emulsion_water);
+  to.set_displaced_water(from.displaced_water);
+  to.set_held_back(from.held_back);
+  for (const SkimmerStatus& skimmer : from.skimmers) {
+    proto::v1::SkimmerReport& out = *to.add_skimmer();
+    out.set_name(skimmer.name);
+    out.set_recovered(to_kilograms(skimmer.recovered));
+    out.set_present_rate(skimmer.present_rate);
+    out.set_dry(skimmer.dry);
   }
-  return proto::v1::Wind::LAW_DEFAULT;
 }
 
 void fill(const WindSettings& from, proto::v1::WindStatus& to) {
@@ -36,6 +52,17 @@ void fill(const WindSettings& from, proto::v1::WindStatus& to) {
   }
   to.set_law(law_of(from.law));
   to.set_roughness(from.roughness);
+}
+
+void fill_current(const ServerStatus& status, proto::v1::CurrentStatus& to) {
+  const CurrentSettings& current = *status.current;
+  to.set_speed(current.velocity.norm());
+  to.set_to_deg(current_to_deg(current.velocity));
+  fill(current.velocity, *to.mutable_velocity());
+  to.set_moves_water_x(status.moves_water[0]);
+  to.set_moves_water_y(status.moves_water[1]);
+  to.set_shear(shear_of(current.shear));
+  if (current.shear != CurrentShear::kNone) to.set_depth(current.depth);
 }
 
 proto::v1::BodyStatus::Health to_health(PoseHealth health) {
@@ -95,7 +122,10 @@ proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
   message.set_density_tolerance(status.effort.density_tolerance);
   message.set_divergence_tolerance(status.effort.divergence_tolerance);
   message.set_over_budget(status.over_budget);
+  if (status.oil) fill(*status.oil, *message.mutable_oil());
   if (status.wind) fill(*status.wind, *message.mutable_wind());
+  if (status.current) fill_current(status, *message.mutable_current());
+  message.set_scheduled(status.scheduled);
   for (const BodyState& body : status.bodies) fill(body, *message.add_body());
   message.set_stations(static_cast<std::uint32_t>(stations));
   return message;
@@ -111,6 +141,13 @@ proto::v1::ServerMessage to_message(const Event& event) {
   out.set_source(printable(event.source));
   out.set_text(printable(event.text, 1000));
   return message;
+}
+
+void fill(const ScheduledCommand& from, proto::v1::ScheduledCommand& to) {
+  to.set_id(from.id);
+  to.mutable_command()->set_at(from.at);
+  to.mutable_command()->set_source(printable(from.source));
+  write_command(from.command, *to.mutable_command());
 }
 
 proto::v1::ServerMessage error_message(std::uint64_t id, proto::v1::Error::Code code, std::string text,

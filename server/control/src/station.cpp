@@ -5,9 +5,7 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/write.hpp>
 
-#include "messages/field_reader.hpp"
 #include "messages_out.hpp"
-#include "read_command.hpp"
 #include "version/version.hpp"
 
 namespace pelagos {
@@ -213,14 +211,19 @@ void Station::dispatch(const Request& request) {
     case Request::kSubscribeEvents:
     case Request::kUnsubscribeEvents:
       subscribed_ = request.body_case() == Request::kSubscribeEvents;
-      reply.mutable_response()->mutable_accepted();
-      return send(reply);
+      return accept(request.id());
     case Request::kSetWind:
     case Request::kClearWind:
     case Request::kPause:
     case Request::kResume:
     case Request::kStep:
       return answer_command(request);
+    case Request::kCommand:
+      return answer_timed_command(request);
+    case Request::kGetSchedule:
+      return answer_schedule(request);
+    case Request::kCancelScheduled:
+      return answer_cancel(request);
     case Request::BODY_NOT_SET:
       break;
   }
@@ -248,29 +251,6 @@ void Station::answer_hello(const Request& request) {
   body.set_protocol_version(kProtocolVersion);
   body.set_server_version(kVersion);
   body.set_scene(printable(context_.hooks.status().scene));
-  send(reply);
-}
-
-void Station::answer_command(const Request& request) {
-  auto& target = context_.wind_target;
-  std::optional<WindSettings> present;
-  if (request.has_set_wind()) present = target.known ? target.wind : context_.hooks.status().wind;
-  FieldFaults faults;
-  const std::optional<Command> command = read_command(request, present, faults);
-  if (!faults.empty() || !command) {
-    ++context_.counters.invalid;
-    std::string text;
-    for (const FieldFault& fault : faults) text += (text.empty() ? "" : "; and ") + fault.field + ": " + fault.what;
-    return send(error_message(request.id(), Error::INVALID_VALUE, text, faults.empty() ? "" : faults.front().field));
-  }
-  if (const auto refusal = context_.hooks.submit(*command, name_)) {
-    return send(error_message(request.id(), Error::REFUSED, *refusal));
-  }
-  if (const auto* set = std::get_if<SetWind>(&*command)) target = {true, set->wind};
-  if (std::holds_alternative<ClearWind>(*command)) target = {true, std::nullopt};
-  ServerMessage reply;
-  reply.mutable_response()->set_id(request.id());
-  reply.mutable_response()->mutable_accepted();
   send(reply);
 }
 

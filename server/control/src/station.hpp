@@ -11,6 +11,7 @@
 
 #include "control.pb.h"
 #include "limits.hpp"
+#include "messages/field_reader.hpp"
 
 namespace pelagos {
 
@@ -26,12 +27,6 @@ struct StationContext {
   const ControlHooks& hooks;
   LimitedLog& log;
   ControlCounters& counters;
-  /// The wind that the last accepted command asked for; what fields that a later one leaves out keep. Unknown until
-  /// the first: then it is the wind that the status tells.
-  struct WindTarget {
-    bool known = false;
-    std::optional<WindSettings> wind;
-  } wind_target;
   std::function<void(class Station&)> gone;
 };
 
@@ -61,7 +56,16 @@ class Station : public std::enable_shared_from_this<Station> {
   [[nodiscard]] bool within_rate(std::uint64_t id);
   void dispatch(const proto::v1::Request& request);
   void answer_hello(const proto::v1::Request& request);
+  /// A command in one of the request's own fields, or in `command`.
   void answer_command(const proto::v1::Request& request);
+  void answer_timed_command(const proto::v1::Request& request);
+  void answer_schedule(const proto::v1::Request& request);
+  void answer_cancel(const proto::v1::Request& request);
+  void submit(std::uint64_t id, const Command& command);
+  void schedule(std::uint64_t id, const Command& command, double at);
+  void refuse_values(std::uint64_t id, const FieldFaults& faults);
+  /// @param scheduled_id  0: the command was not scheduled
+  void accept(std::uint64_t id, std::uint64_t scheduled_id = 0);
 
   void send(const proto::v1::ServerMessage& message);
   void push(std::shared_ptr<const std::string> framed);

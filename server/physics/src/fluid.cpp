@@ -13,7 +13,7 @@ namespace pelagos {
 
 namespace {
 
-void place_particles(FluidParticles& p, std::span<const Float4> positions) {
+void place_particles(FluidParticles& p, std::span<const Float4> positions, std::span<const std::uint8_t> phase) {
   p.count = positions.size();
   const std::size_t padded = padded_count(p.count);
   p.position.assign(padded, kFarRecord);
@@ -25,6 +25,8 @@ void place_particles(FluidParticles& p, std::span<const Float4> positions) {
   p.divergence_pressure.assign(padded, 0.0F);
   p.id.resize(padded);
   for (std::size_t i = 0; i < padded; ++i) p.id[i] = static_cast<std::uint32_t>(i);
+  p.phase.assign(phase.begin(), phase.end());
+  if (!phase.empty()) p.phase.resize(padded, kWaterPhase);
 }
 
 void place_tank(TaskPool& pool, FluidState& state) {
@@ -51,13 +53,17 @@ Region grid_region(const FluidParameters& parameters) {
 
 }  // namespace
 
-FluidState make_fluid(TaskPool& pool, const FluidParameters& parameters, std::span<const Float4> positions) {
+FluidState make_fluid(TaskPool& pool, const FluidParameters& parameters, std::span<const Float4> positions,
+                      std::span<const std::uint8_t> phase) {
+  assert(phase.empty() || (parameters.oil && phase.size() == positions.size()));
   FluidState state;
   state.parameters = parameters;
   const Region region = grid_region(parameters);
   state.fluid_grid = state.static_grid = state.moving_grid = state.ghosts.grid =
       CellGrid(region, parameters.support_radius);
-  place_particles(state.particles, positions);
+  const std::vector<std::uint8_t> all_water(parameters.oil && phase.empty() ? positions.size() : 0, kWaterPhase);
+  place_particles(state.particles, positions, phase.empty() ? all_water : phase);
+  state.next_id = static_cast<std::uint32_t>(positions.size());
   // At rest gravity is the only acceleration; the first step acts with it.
   std::fill(state.particles.acceleration.begin(), state.particles.acceleration.end(),
             Float4{0.0F, 0.0F, static_cast<float>(-parameters.gravity), 0.0F});
@@ -87,11 +93,58 @@ void advance_fluid(TaskPool& pool, FluidState& state, double dt, Clock clock, St
   state.last_dt = dt;
 }
 
+namespace {
+
+/// Largest nu dt / d^2 of an explicit step: twice as much is unstable.
+constexpr double kExplicitViscosity = 0.1;
+
+double usual_longest_step(const FluidParameters& q) {
+  return 0.07 * std::sqrt(q.spacing / (q.gravity > 0.0 ? q.gravity : kStandardGravity));
+}
+
+/// Of one phase or of a pair, on the lighter partner; m^2/s.
+double largest_viscosity(const PhasePair& pair) {
+  return static_cast<double>(
+      std::max({pair.light_mobility * pair.light_viscosity, pair.heavy_mobility * pair.heavy_viscosity,
+                pair.light_mobility * pair.mixed_viscosity}));
+}
+
+void set_gravity(TaskPool& pool, FluidState& state) {
+  const Float4 gravity{0.0F, 0.0F, static_cast<float>(-state.parameters.gravity), 0.0F};
+  for_each_particle(pool, state, [&](std::size_t i) { state.particles.acceleration[i] = gravity; });
+}
+
+/// Two phases: gravity and viscosity, explicit or implicit; densities where they are open.
+void start_phase_acceleration(TaskPool& pool, FluidState& state, StepReport& report) {
+  FluidParticles& p = state.particles;
+  const FluidParameters& q = state.parameters;
+  const double viscosity = largest_viscosity(state.phases);
+  const double dt = std::max(state.last_dt, usual_longest_step(q));
+  const bool implicit = viscosity * dt > kExplicitViscosity * q.spacing * q.spacing;
+  const bool explicitly = viscosity > 0.0 && !implicit;
+  extend_velocities(pool, state);
+  if (explicitly || !state.density_present) {
+    compute_phase_acceleration(pool, pair_data(state), p.velocity, static_cast<float>(q.gravity), p.acceleration,
+                               state.density_present ? std::span<float>{} : std::span<float>(p.density));
+    state.density_present = true;
+    ++report.pair_passes;
+  }
+  if (!explicitly) set_gravity(pool, state);
+  if (!implicit || !(state.last_dt > 0.0)) return;
+  solve_viscosity(pool, state, state.last_dt, report);
+  extend_velocities(pool, state);
+}
+
+}  // namespace
+
 void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report) {
   const FluidParameters& q = state.parameters;
+  if (state.oil_count > 0) {
+    start_phase_acceleration(pool, state, report);
+    return;
+  }
   if (!(q.viscosity > 0.0) && state.density_present) {
-    const Float4 gravity{0.0F, 0.0F, static_cast<float>(-q.gravity), 0.0F};
-    for_each_particle(pool, state, [&](std::size_t i) { state.particles.acceleration[i] = gravity; });
+    set_gravity(pool, state);
     return;
   }
   extend_velocities(pool, state);
@@ -105,6 +158,10 @@ void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report) {
 void measure_fluid(TaskPool& pool, const FluidState& state, double dt, StepReport& report) {
   const FluidParticles& p = state.particles;
   StateArrays arrays{p.position.data(), p.velocity.data(), p.acceleration.data(), p.density.data(), {}, {}};
+  if (!p.phase.empty()) {
+    arrays.phase = p.phase.data();
+    arrays.oil_mass = static_cast<float>(state.parameters.oil->rest_density / state.parameters.rest_density);
+  }
   std::copy_n(state.parameters.tank.min, 3, arrays.min);
   std::copy_n(state.parameters.tank.max, 3, arrays.max);
   std::vector<StateSums> partial((p.count + kPointBlock - 1) / kPointBlock);

@@ -12,20 +12,6 @@ namespace {
 /// A correction never exceeds this share of the spacing.
 constexpr double kLargestCorrection = 0.25;
 
-/// values[k] = values[order[k]], the padding left as it is.
-template <class T>
-void permute(TaskPool& pool, std::span<const std::uint32_t> order, std::vector<T>& values, std::vector<T>& scratch) {
-  if (scratch.size() < values.size()) scratch.resize(values.size());
-  const std::size_t padded = padded_count(order.size());
-  pool.for_each_range(order.size(), kPointBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) scratch[k] = values[order[k]];
-  });
-  std::copy(values.begin() + static_cast<std::ptrdiff_t>(order.size()),
-            values.begin() + static_cast<std::ptrdiff_t>(padded),
-            scratch.begin() + static_cast<std::ptrdiff_t>(order.size()));
-  values.swap(scratch);
-}
-
 void sort_moving_walls(TaskPool& pool, FluidState& state) {
   BoundaryParticles& walls = state.walls;
   const std::size_t moving = state.moving_position.size();
@@ -57,6 +43,7 @@ PairData pair_data(const FluidState& state) {
   data.support_radius = static_cast<float>(state.parameters.support_radius);
   data.volume = static_cast<float>(state.parameters.volume());
   data.spacing = static_cast<float>(state.parameters.spacing);
+  data.phases = state.oil_count > 0 ? &state.phases : nullptr;
   return data;
 }
 
@@ -92,6 +79,7 @@ void sort_particles(TaskPool& pool, FluidState& state) {
   if (state.parameters.scheme == Scheme::kCorrected)  // the others start this solve cold
     permute(pool, state.order, p.divergence_pressure, state.sorted_scalar);
   permute(pool, state.order, p.id, state.sorted_id);
+  mark_phases(pool, state);
   if (!has_ghosts(state.parameters.edges)) return;
   make_ghosts(pool, state.parameters.tank, state.parameters.edges, static_cast<float>(state.parameters.support_radius),
               p.count, p.position, state.ghosts);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "physics/fluid.hpp"
 
 namespace pelagos {
@@ -17,6 +19,9 @@ void wrap(TaskPool& pool, FluidState& state);
 /// Sorts the particles and the moving samples by cell at their present positions, and makes the images that mirrored
 /// and periodic faces need, of positions and velocities.
 void sort_particles(TaskPool& pool, FluidState& state);
+/// Marks phases in position.w and fills state.phases, in the present order; before images are made. Nothing without
+/// oil.
+void mark_phases(TaskPool& pool, FluidState& state);
 /// Brings the images of positions up to date, and of velocities. Nothing without images.
 void extend_positions(TaskPool& pool, FluidState& state);
 void extend_velocities(TaskPool& pool, FluidState& state);
@@ -50,6 +55,10 @@ void rate_of_density(TaskPool& pool, FluidState& state, StepReport& report);
 /// A velocity without divergence: source = dt J v, cold.
 void solve_divergence(TaskPool& pool, FluidState& state, double dt, StepReport& report);
 
+/// Viscosity by an implicit step of dt on the velocities, see start_acceleration; two phases. Momentum is conserved to
+/// rounding whatever the tolerance.
+void solve_viscosity(TaskPool& pool, FluidState& state, double dt, StepReport& report);
+
 void advance_hybrid(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report);
 void advance_dfsph(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report);
 void advance_pbf(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report);
@@ -75,6 +84,20 @@ inline constexpr std::size_t kPointBlock = 2048;
 
 /// After a step that was cut short, corrections act as a velocity over no less than the last step by this ratio.
 inline constexpr double kLargestStepRatio = 2.0;
+
+/// values[k] = values[order[k]], the padding left as it is.
+template <class T>
+void permute(TaskPool& pool, std::span<const std::uint32_t> order, std::vector<T>& values, std::vector<T>& scratch) {
+  if (scratch.size() < values.size()) scratch.resize(values.size());
+  const std::size_t padded = padded_count(order.size());
+  pool.for_each_range(order.size(), kPointBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) scratch[k] = values[order[k]];
+  });
+  std::copy(values.begin() + static_cast<std::ptrdiff_t>(order.size()),
+            values.begin() + static_cast<std::ptrdiff_t>(padded),
+            scratch.begin() + static_cast<std::ptrdiff_t>(order.size()));
+  values.swap(scratch);
+}
 
 template <class F>
 void for_each_particle(TaskPool& pool, const FluidState& state, F&& f) {

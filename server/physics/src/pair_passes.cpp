@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "pass_outputs.hpp"
 #include "simd_pairs-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -91,6 +92,19 @@ struct GradientSums {
   FloatV squares;
 };
 
+/// Which lanes hold particles of the lighter phase.
+HWY_INLINE hn::Mask<FloatTag> is_light(FloatV phase) { return hn::Gt(phase, hn::Set(FloatTag(), 0.5F)); }
+HWY_INLINE FloatV choose_phase(hn::Mask<FloatTag> light, float of_light, float of_heavy) {
+  const FloatTag d;
+  return hn::IfThenElse(light, hn::Set(d, of_light), hn::Set(d, of_heavy));
+}
+
+/// alpha with two phases: the largest mobility around counts for all.
+HWY_INLINE void divide_alpha(FloatV mobility, float* alpha) {
+  const FloatTag d;
+  hn::StoreU(hn::Div(hn::LoadU(d, alpha), mobility), d, alpha);
+}
+
 /// Writes alpha, S and the wall part of a vector of particles.
 HWY_INLINE void store_gradient_sums(const PairData& data, const GradientSums& fluid, const Vec3& wall, FloatV wall_rate,
                                     std::size_t i, Float4* sum_out, Float4* wall_out, float* alpha_out) {
@@ -143,19 +157,18 @@ HWY_INLINE void add_moments(const PairGeometry& pair, const Vec3& g, FloatV scal
   m.zz = hn::NegMulAdd(z, g.z, m.zz);
 }
 
-template <bool kMoments>
-HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_group, std::size_t last_group, float* delta,
-                                    float* alpha, Float4* sum, Float4* wall, void* cache_words, Float4* first,
-                                    Float4* second) {
+template <bool kMoments, bool kPhases>
+HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_group, std::size_t last_group,
+                                    const DensityOutput& out) {
   const FloatTag d;
-  auto* cache = static_cast<CachedGradient*>(cache_words);
+  auto* cache = static_cast<CachedGradient*>(out.cache_words);
   const KernelScales scales = kernel_scales(data);
   const FloatV inverse_spacing = hn::Set(d, 1.0F / data.spacing);
   for (std::size_t group = first_group; group < last_group; ++group)
     for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
       const Vec4 own = load_records(data.position + i);
       const FloatV zero = hn::Zero(d);
-      FloatV weight = zero;
+      FloatV weight = zero, lightest = own.w;
       GradientSums sums{zero3(), zero};
       Symmetric moments{zero, zero, zero, zero, zero, zero};
       const NeighborList::SlotRange fluid = data.fluid->groups[group];
@@ -169,6 +182,7 @@ HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_grou
         add_to(sums.sum, g);
         sums.squares = dot(g, g, sums.squares);
         if constexpr (kMoments) add_moments(pair, g, inverse_spacing, moments);
+        if constexpr (kPhases) lightest = hn::Max(lightest, other.w);
       }
       FloatV wall_density = zero, rate = zero;
       Vec3 wall_sum = zero3();
@@ -187,20 +201,31 @@ HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_grou
           rate = dot({v.x, v.y, v.z}, g, rate);
         }
       }
-      hn::StoreU(hn::MulAdd(weight, scales.value, wall_density), d, delta + i);
-      store_gradient_sums(data, sums, wall_sum, rate, i, sum, wall, alpha);
-      if constexpr (kMoments) store_correction(moments, wall_density, first + i, second + i);
+      hn::StoreU(hn::MulAdd(weight, scales.value, wall_density), d, out.delta + i);
+      store_gradient_sums(data, sums, wall_sum, rate, i, out.sum, out.wall, out.alpha);
+      if constexpr (kMoments) store_correction(moments, wall_density, out.first + i, out.second + i);
+      if constexpr (kPhases) {
+        const FloatV mobility =
+            choose_phase(is_light(lightest), data.phases->light_mobility, data.phases->heavy_mobility);
+        hn::StoreU(mobility, d, out.mobility + i);
+        divide_alpha(mobility, out.alpha + i);
+      }
     });
 }
 
-void density_groups(const PairData& data, std::size_t first_group, std::size_t last_group, float* delta, float* alpha,
-                    Float4* sum, Float4* wall, void* cache_words) {
-  density_groups_with<false>(data, first_group, last_group, delta, alpha, sum, wall, cache_words, nullptr, nullptr);
+void density_groups(const PairData& data, std::size_t first_group, std::size_t last_group, const DensityOutput& out) {
+  if (data.phases)
+    density_groups_with<false, true>(data, first_group, last_group, out);
+  else
+    density_groups_with<false, false>(data, first_group, last_group, out);
 }
 
-void correction_groups(const PairData& data, std::size_t first_group, std::size_t last_group, float* delta,
-                       float* alpha, Float4* sum, Float4* wall, void* cache_words, Float4* first, Float4* second) {
-  density_groups_with<true>(data, first_group, last_group, delta, alpha, sum, wall, cache_words, first, second);
+void correction_groups(const PairData& data, std::size_t first_group, std::size_t last_group,
+                       const DensityOutput& out) {
+  if (data.phases)
+    density_groups_with<true, true>(data, first_group, last_group, out);
+  else
+    density_groups_with<true, false>(data, first_group, last_group, out);
 }
 
 HWY_INLINE Symmetric symmetric(const Vec4& first, const Vec4& second) {
@@ -226,8 +251,8 @@ HWY_INLINE FloatV corrected_wall_rate(const PairData& data, const KernelScales& 
 }
 
 void corrected_gradient_groups(const PairData& data, std::size_t first_group, std::size_t last_group,
-                               const Float4* first, const Float4* second, float* alpha, Float4* sum, Float4* wall,
-                               void* own_words, void* other_words) {
+                               const Float4* first, const Float4* second, const float* mobility, float* alpha,
+                               Float4* sum, Float4* wall, void* own_words, void* other_words) {
   const FloatTag d;
   auto *own_cache = static_cast<CachedGradient*>(own_words), *other_cache = static_cast<CachedGradient*>(other_words);
   const KernelScales scales = kernel_scales(data);
@@ -251,11 +276,14 @@ void corrected_gradient_groups(const PairData& data, std::size_t first_group, st
       if (data.walls_move) rate = corrected_wall_rate(data, scales, own, group, lane, load_records(data.position + i));
       store_gradient_sums(data, sums, multiply(own, {plain_wall.x, plain_wall.y, plain_wall.z}), rate, i, sum, wall,
                           alpha);
+      if (mobility) divide_alpha(hn::LoadU(d, mobility + i), alpha + i);
     });
 }
 
-void pressure_groups(const PairData& data, std::size_t first_group, std::size_t last_group, const void* cache_words,
-                     const Float4* sum, const float* pressure, Float4* displacement) {
+template <bool kPhases>
+HWY_INLINE void pressure_groups_with(const PairData& data, std::size_t first_group, std::size_t last_group,
+                                     const void* cache_words, const Float4* sum, const float* pressure,
+                                     Float4* displacement) {
   const FloatTag d;
   const auto* cache = static_cast<const CachedGradient*>(cache_words);
   const FloatV minus_inverse_spacing = hn::Set(d, -1.0F / data.spacing);
@@ -273,11 +301,23 @@ void pressure_groups(const PairData& data, std::size_t first_group, std::size_t 
         push.z = hn::MulAdd(other, g.z, push.z);
       }
       const Vec4 w = load_records(sum + i);
-      store_records({hn::NegMulAdd(own, w.x, hn::Mul(push.x, minus_inverse_spacing)),
-                     hn::NegMulAdd(own, w.y, hn::Mul(push.y, minus_inverse_spacing)),
-                     hn::NegMulAdd(own, w.z, hn::Mul(push.z, minus_inverse_spacing)), hn::Zero(d)},
-                    displacement + i);
+      Vec3 u{hn::NegMulAdd(own, w.x, hn::Mul(push.x, minus_inverse_spacing)),
+             hn::NegMulAdd(own, w.y, hn::Mul(push.y, minus_inverse_spacing)),
+             hn::NegMulAdd(own, w.z, hn::Mul(push.z, minus_inverse_spacing))};
+      if constexpr (kPhases) {
+        const FloatV mobility = hn::LoadU(d, data.phases->mobility.data() + i);
+        u = {hn::Mul(u.x, mobility), hn::Mul(u.y, mobility), hn::Mul(u.z, mobility)};
+      }
+      store_records({u.x, u.y, u.z, hn::Zero(d)}, displacement + i);
     });
+}
+
+void pressure_groups(const PairData& data, std::size_t first_group, std::size_t last_group, const void* cache_words,
+                     const Float4* sum, const float* pressure, Float4* displacement) {
+  if (data.phases)
+    pressure_groups_with<true>(data, first_group, last_group, cache_words, sum, pressure, displacement);
+  else
+    pressure_groups_with<false>(data, first_group, last_group, cache_words, sum, pressure, displacement);
 }
 
 void rate_groups(const PairData& data, std::size_t first_group, std::size_t last_group, const void* cache_words,
@@ -347,8 +387,10 @@ HWY_INLINE FloatV wall_density(const PairData& data, const KernelScales& scales,
   return hn::Mul(sum, scales.wall_value);
 }
 
-void filter_groups(const PairData& data, std::size_t first_group, std::size_t last_group, const Float4* row_x,
-                   const Float4* row_y, const Float4* row_z, Float4* change, float* delta) {
+template <bool kPhases>
+HWY_INLINE void filter_groups_with(const PairData& data, std::size_t first_group, std::size_t last_group,
+                                   const Float4* row_x, const Float4* row_y, const Float4* row_z, Float4* change,
+                                   float* delta) {
   const FloatTag d;
   const KernelScales scales = kernel_scales(data);
   const FloatV half = hn::Set(d, 0.5F);
@@ -357,13 +399,17 @@ void filter_groups(const PairData& data, std::size_t first_group, std::size_t la
       const Vec4 own = load_records(data.position + i);
       const Vec4 own_x = load_records(row_x + i), own_y = load_records(row_y + i), own_z = load_records(row_z + i);
       Vec3 sum = zero3();
-      FloatV density = hn::Zero(d);
+      FloatV density = hn::Zero(d), across = hn::Zero(d);
+      if constexpr (kPhases)  // rho0_lighter / rho0_i
+        across = choose_phase(is_light(own.w), 1.0F, data.phases->heavy_mobility / data.phases->light_mobility);
       const NeighborList::SlotRange fluid = data.fluid->groups[group];
       for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
         const std::int32_t* index = data.fluid->slots.data() + s * kLanes + lane;
-        const PairGeometry pair = difference(own, gather_records(data.position, index));
-        const FloatV weight = cubic_spline(pair.r_squared, scales.support, scales.inverse_support).value;
+        const Vec4 place = gather_records(data.position, index);
+        const PairGeometry pair = difference(own, place);
+        FloatV weight = cubic_spline(pair.r_squared, scales.support, scales.inverse_support).value;
         density = hn::Add(density, weight);
+        if constexpr (kPhases) weight = hn::IfThenElse(hn::Eq(own.w, place.w), weight, hn::Mul(weight, across));
         const auto add = [&](const Vec4& mine, const Vec4& other, FloatV& to) HWY_ATTR {
           const Vec3 both{hn::Add(mine.x, other.x), hn::Add(mine.y, other.y), hn::Add(mine.z, other.z)};
           const FloatV linear = dot(both, {pair.x, pair.y, pair.z}, hn::Zero(d));
@@ -378,6 +424,14 @@ void filter_groups(const PairData& data, std::size_t first_group, std::size_t la
           change + i);
       hn::StoreU(hn::MulAdd(density, scales.value, wall_density(data, scales, own, group, lane)), d, delta + i);
     });
+}
+
+void filter_groups(const PairData& data, std::size_t first_group, std::size_t last_group, const Float4* row_x,
+                   const Float4* row_y, const Float4* row_z, Float4* change, float* delta) {
+  if (data.phases)
+    filter_groups_with<true>(data, first_group, last_group, row_x, row_y, row_z, change, delta);
+  else
+    filter_groups_with<false>(data, first_group, last_group, row_x, row_y, row_z, change, delta);
 }
 
 void acceleration_groups(const PairData& data, std::size_t first_group, std::size_t last_group, const Float4* velocity,
@@ -411,6 +465,53 @@ void acceleration_groups(const PairData& data, std::size_t first_group, std::siz
     });
 }
 
+/// nu_ij for a vector of particles: that of its own phase, and that between the phases.
+struct PairViscosity {
+  FloatV own, mixed;
+};
+
+void phase_acceleration_groups(const PairData& data, std::size_t first_group, std::size_t last_group,
+                               const Float4* velocity, float gravity, Float4* acceleration, float* delta) {
+  const FloatTag d;
+  const PhasePair& phases = *data.phases;
+  const KernelScales scales = kernel_scales(data);
+  const FloatV scale = hn::Mul(hn::Set(d, 10.0F / data.spacing), scales.gradient_spacing);
+  const FloatV softening = hn::Set(d, 1e-6F * data.support_radius * data.support_radius);  // only against 0/0
+  const FloatV zero = hn::Zero(d), down = hn::Set(d, -gravity);
+  for (std::size_t group = first_group; group < last_group; ++group)
+    for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
+      const Vec4 own = load_records(data.position + i);
+      const PairViscosity nu{choose_phase(is_light(own.w), phases.light_viscosity, phases.heavy_viscosity),
+                             hn::Set(d, phases.mixed_viscosity)};
+      if (!delta && hn::AllTrue(d, hn::Eq(nu.own, zero))) {  // then the mixed one is zero, too
+        store_records({zero, zero, down, zero}, acceleration + i);
+        return;
+      }
+      const Vec4 own_velocity = load_records(velocity + i);
+      FloatV weight = zero;
+      Vec3 sum = zero3();
+      const NeighborList::SlotRange fluid = data.fluid->groups[group];
+      for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
+        const std::int32_t* index = data.fluid->slots.data() + s * kLanes + lane;
+        const Vec4 place = gather_records(data.position, index);
+        const PairGeometry pair = difference(own, place);
+        const PairGeometry change = difference(own_velocity, gather_records(velocity, index));
+        const FloatV approach = dot({change.x, change.y, change.z}, {pair.x, pair.y, pair.z}, zero);
+        const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
+        weight = hn::Add(weight, kernel.value);
+        const FloatV viscosity = hn::IfThenElse(hn::Eq(own.w, place.w), nu.own, nu.mixed);
+        const FloatV factor =
+            hn::Div(hn::Mul(hn::Mul(kernel.gradient_factor, approach), viscosity), hn::Add(pair.r_squared, softening));
+        add_to(sum, scaled(pair, factor));
+      }
+      const FloatV push = hn::Mul(scale, hn::LoadU(d, phases.mobility.data() + i));
+      store_records({hn::Mul(sum.x, push), hn::Mul(sum.y, push), hn::MulAdd(sum.z, push, down), zero},
+                    acceleration + i);
+      if (delta)
+        hn::StoreU(hn::MulAdd(weight, scales.value, wall_density(data, scales, own, group, lane)), d, delta + i);
+    });
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace pelagos
 HWY_AFTER_NAMESPACE();
@@ -427,6 +528,7 @@ HWY_EXPORT(rate_groups);
 HWY_EXPORT(velocity_gradient_groups);
 HWY_EXPORT(filter_groups);
 HWY_EXPORT(acceleration_groups);
+HWY_EXPORT(phase_acceleration_groups);
 
 namespace {
 /// 256 particles a block: small enough to balance two cores, large enough to amortise the claim.
@@ -472,17 +574,28 @@ void reserve_gradients(const PairData& data, bool corrected, Gradients& gradient
   gradients.alpha.resize(padded);
   gradients.sum.resize(padded);
   gradients.wall.resize(padded);
+  if (data.phases) gradients.mobility.resize(padded);
   reserve_cache(data, gradients.own);
   if (corrected) reserve_cache(data, gradients.other);
+}
+
+DensityOutput density_output(std::span<float> delta, Gradients& gradients) {
+  DensityOutput out;
+  out.delta = delta.data();
+  out.alpha = gradients.alpha.data();
+  out.sum = gradients.sum.data();
+  out.wall = gradients.wall.data();
+  out.cache_words = gradients.own.words.data();
+  out.mobility = gradients.mobility.data();
+  return out;
 }
 }  // namespace
 
 void compute_density(TaskPool& pool, const PairData& data, std::span<float> delta, Gradients& gradients) {
   reserve_gradients(data, false, gradients);
+  const DensityOutput out = density_output(delta, gradients);
   for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
-    HWY_DYNAMIC_DISPATCH(density_groups)
-    (data, first, last, delta.data(), gradients.alpha.data(), gradients.sum.data(), gradients.wall.data(),
-     gradients.own.words.data());
+    HWY_DYNAMIC_DISPATCH(density_groups)(data, first, last, out);
   });
 }
 
@@ -492,10 +605,11 @@ void compute_corrections(TaskPool& pool, const PairData& data, std::span<float> 
   const std::size_t size = data.ghosts ? extended_count(data.count, *data.ghosts) : padded_count(data.count);
   corrections.first.resize(size);
   corrections.second.resize(size);
+  DensityOutput out = density_output(delta, gradients);
+  out.first = corrections.first.data();
+  out.second = corrections.second.data();
   for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
-    HWY_DYNAMIC_DISPATCH(correction_groups)
-    (data, first, last, delta.data(), gradients.alpha.data(), gradients.sum.data(), gradients.wall.data(),
-     gradients.own.words.data(), corrections.first.data(), corrections.second.data());
+    HWY_DYNAMIC_DISPATCH(correction_groups)(data, first, last, out);
   });
   if (data.ghosts) extend_corrections(pool, *data.ghosts, corrections);
 }
@@ -505,8 +619,9 @@ void compute_corrected_gradients(TaskPool& pool, const PairData& data, const Cor
   reserve_gradients(data, true, gradients);
   for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
     HWY_DYNAMIC_DISPATCH(corrected_gradient_groups)
-    (data, first, last, corrections.first.data(), corrections.second.data(), gradients.alpha.data(),
-     gradients.sum.data(), gradients.wall.data(), gradients.own.words.data(), gradients.other.words.data());
+    (data, first, last, corrections.first.data(), corrections.second.data(),
+     data.phases ? gradients.mobility.data() : nullptr, gradients.alpha.data(), gradients.sum.data(),
+     gradients.wall.data(), gradients.own.words.data(), gradients.other.words.data());
   });
 }
 
@@ -553,6 +668,14 @@ void compute_acceleration(TaskPool& pool, const PairData& data, std::span<const 
   for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
     HWY_DYNAMIC_DISPATCH(acceleration_groups)
     (data, first, last, velocity.data(), viscosity, gravity, acceleration.data(), delta.data());
+  });
+}
+
+void compute_phase_acceleration(TaskPool& pool, const PairData& data, std::span<const Float4> velocity, float gravity,
+                                std::span<Float4> acceleration, std::span<float> delta) {
+  for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
+    HWY_DYNAMIC_DISPATCH(phase_acceleration_groups)
+    (data, first, last, velocity.data(), gravity, acceleration.data(), delta.data());
   });
 }
 

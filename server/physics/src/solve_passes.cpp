@@ -93,7 +93,8 @@ SolveSums move_impl(std::size_t begin, std::size_t end, const SolveArrays& a, fl
   return judge_impl(begin, end, a);
 }
 
-StateSums measure_state_impl(std::size_t begin, std::size_t end, const StateArrays& a, float dt) {
+template <bool kPhases>
+StateSums measure_state_with(std::size_t begin, std::size_t end, const StateArrays& a, float dt) {
   float speed = 0, height = 0, compression = 0, largest_speed = 0, largest_density = 0;
   std::uint32_t outside = 0, not_finite = 0;
   const float x0 = a.min[0], y0 = a.min[1], z0 = a.min[2], x1 = a.max[0], y1 = a.max[1], z1 = a.max[2];
@@ -103,8 +104,14 @@ StateSums measure_state_impl(std::size_t begin, std::size_t end, const StateArra
     const float v2 = v.x * v.x + v.y * v.y + v.z * v.z;
     const float nx = v.x + dt * b.x, ny = v.y + dt * b.y, nz = v.z + dt * b.z;
     const float next2 = nx * nx + ny * ny + nz * nz;
-    speed += v2;
-    height += x.z;
+    if constexpr (kPhases) {
+      const float mass = a.phase[i] == kOilPhase ? a.oil_mass : 1.0F;
+      speed += mass * v2;
+      height += mass * x.z;
+    } else {
+      speed += v2;
+      height += x.z;
+    }
     const float excess = a.density[i] - 1.0F;
     compression += excess > 0.0F ? excess : 0.0F;
     largest_density = a.density[i] > largest_density ? a.density[i] : largest_density;
@@ -117,6 +124,10 @@ StateSums measure_state_impl(std::size_t begin, std::size_t end, const StateArra
     not_finite += finite ? 0U : 1U;
   }
   return {speed, height, largest_speed, compression, largest_density, outside, not_finite};
+}
+
+StateSums measure_state_impl(std::size_t begin, std::size_t end, const StateArrays& a, float dt) {
+  return a.phase ? measure_state_with<true>(begin, end, a, dt) : measure_state_with<false>(begin, end, a, dt);
 }
 
 void add_scaled_impl(std::size_t begin, std::size_t end, float factor, const Float4* from, Float4* to) {

@@ -42,8 +42,8 @@ SolveSums move(std::size_t begin, std::size_t end, const SolveArrays& a, float t
 
 /// Sums that describe the state after a step.
 struct StateSums {
-  float speed_squared = 0;          ///< sum |v|^2
-  float height = 0;                 ///< sum z
+  float speed_squared = 0;          ///< sum |v|^2, weighed by mass / mass of a water particle
+  float height = 0;                 ///< sum z, weighed likewise
   float largest_speed_squared = 0;  ///< max |v + dt a|^2 of the finite particles
   float compression = 0;            ///< sum max(delta - 1, 0)
   float largest_density = 0;
@@ -55,7 +55,9 @@ struct StateArrays {
   const Float4* velocity;
   const Float4* acceleration;
   const float* density;
-  float min[3], max[3];  ///< tank
+  float min[3], max[3];                 ///< tank
+  const std::uint8_t* phase = nullptr;  ///< null: all particles have the same mass
+  float oil_mass = 1;                   ///< of an oil particle, over that of a water particle
 };
 StateSums measure_state(std::size_t begin, std::size_t end, const StateArrays& a, float dt);
 

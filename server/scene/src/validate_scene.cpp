@@ -4,23 +4,15 @@
 #include <cmath>
 #include <functional>
 
+#include "messages/read_current.hpp"
 #include "messages/read_wind.hpp"
 #include "scene.pb.h"
-#include "values/lattice.hpp"
 
 namespace pelagos {
 namespace {
 
-constexpr double kMostParticles = 4e6;
 constexpr double kMostWallParticles = 4e6;
 constexpr double kMostCells = 64e6;  // of the neighbour search, a support radius a side
-constexpr std::size_t kMostBlocks = 64;
-constexpr double kFarthest = 1e6;  // m; coordinates beyond it lose a millimetre in single precision offsets
-
-std::string describe(const Eigen::Vector3d& v) {
-  return "(" + format_number(v.x()) + ", " + format_number(v.y()) + ", " + format_number(v.z()) + ")";
-}
-std::string describe(const Box& box) { return describe(box.min) + " to " + describe(box.max); }
 
 bool is_name_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
@@ -34,22 +26,6 @@ std::string read_name(const FieldReader& reader, const SceneSource& source) {
     reader.fault("name", "\"" + name + "\" holds other characters than allowed: A-Z a-z 0-9 _ - .");
   }
   return name;
-}
-
-std::optional<Box> read_box(const FieldReader& reader) {
-  Box box;
-  const Range range{-kFarthest, kFarthest, "m"};
-  reader.require("min");
-  reader.require("max");
-  const bool min_valid = reader.read("min", range, box.min);
-  const bool max_valid = reader.read("max", range, box.max);
-  if (!min_valid || !max_valid) return std::nullopt;
-  if ((box.size().array() <= 0.0).any()) {
-    reader.fault("", "runs from min " + describe(box.min) + " to max " + describe(box.max) +
-                         "; allowed: min below max on each axis");
-    return std::nullopt;
-  }
-  return box;
 }
 
 Basis read_basis(const FieldReader& reader, const SceneSource& source, Scene& scene) {
@@ -128,68 +104,6 @@ std::optional<Box> read_tank(const FieldReader& reader, const Basis& basis) {
   return tank;
 }
 
-bool inside(const Box& inner, const Box& outer, double slack) {
-  return (inner.min.array() >= outer.min.array() - slack).all() &&
-         (inner.max.array() <= outer.max.array() + slack).all();
-}
-
-bool overlap(const Box& a, const Box& b, double slack) {
-  return (a.min.array() < b.max.array() - slack).all() && (b.min.array() < a.max.array() - slack).all();
-}
-
-/// Least size of a block that holds a particle: 2 spacings between walls, one where the axis has none.
-Eigen::Vector3d least_block(const TankEdges& edges, double spacing) {
-  return 2.0 * spacing * Eigen::Vector3d(lattice_offset(edges[0]), lattice_offset(edges[1]), lattice_offset(edges[2]));
-}
-
-void refuse_small_block(const FieldReader& entry, const Box& block, double spacing, const TankEdges& edges) {
-  const Eigen::Vector3d least = least_block(edges, spacing);
-  if (edges == kWalledTank) {
-    entry.fault("", "is too small for one particle: " + describe(block.size()) + " m; allowed: at least " +
-                        format_number(least.x()) + " m (2 particle spacings) along each axis");
-  } else {
-    entry.fault("", "is too small for one particle: " + describe(block.size()) + " m; allowed: at least " +
-                        describe(least) + " m (2 particle spacings between walls, else 1)");
-  }
-}
-
-void read_blocks(const FieldReader& water, const Basis& basis, const std::optional<Box>& tank, const TankEdges& edges,
-                 FluidSettings& fluid) {
-  if (!water.require("block")) return;
-  const std::vector<FieldReader> entries = water.children("block");
-  if (entries.size() > kMostBlocks) {
-    water.fault("block", "has " + format_count(static_cast<double>(entries.size())) + " entries; allowed: at most 64");
-    return;
-  }
-  const double slack = 1e-6 * basis.spacing.value_or(0.0);
-  std::vector<std::pair<std::size_t, Box>> placed;
-  double total = 0.0;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::optional<Box> block = read_box(entries[i]);
-    if (!block) continue;
-    if (tank && !inside(*block, *tank, slack)) {
-      entries[i].fault("", "lies at " + describe(*block) + "; allowed: inside the tank, " + describe(*tank));
-    }
-    if (basis.spacing) {
-      const double count = particle_count(*block, *basis.spacing, edges);
-      if (count < 1.0) refuse_small_block(entries[i], *block, *basis.spacing, edges);
-      total += count;
-    }
-    for (const auto& [other, box] : placed) {
-      if (overlap(*block, box, slack)) {
-        entries[i].fault("", "overlaps water.block[" + std::to_string(other) + "], " + describe(box) +
-                                 "; allowed: blocks that touch at most");
-      }
-    }
-    placed.emplace_back(i, *block);
-    fluid.blocks.push_back(*block);
-  }
-  if (total > kMostParticles) {
-    water.fault("block", "asks for " + format_count(total) + " particles in all; allowed: at most " +
-                             format_count(kMostParticles) + " (a larger particle_spacing or smaller blocks)");
-  }
-}
-
 /// @param longest_step  s, that any step of the scene may take; 0 where it is not known
 void read_viscosity(const FieldReader& water, const Basis& basis, SolverKind solver, double longest_step,
                     FluidSettings& fluid) {
@@ -205,8 +119,7 @@ void read_viscosity(const FieldReader& water, const Basis& basis, SolverKind sol
   }
 }
 
-FluidSettings read_water(const FieldReader& reader, const Basis& basis, const std::optional<Box>& tank,
-                         const Scene& scene) {
+FluidSettings read_water(const FieldReader& reader, const Basis& basis, const Scene& scene, BlockReader& blocks) {
   FluidSettings fluid;
   if (!reader.require("water")) return fluid;
   const FieldReader water = reader.child("water");
@@ -214,7 +127,7 @@ FluidSettings read_water(const FieldReader& reader, const Basis& basis, const st
   const double own_step = scene.time_step.max_step > 0.0 ? scene.time_step.max_step : basis.default_step.value_or(0.0);
   read_viscosity(water, basis, scene.solver.kind, std::max(own_step, scene.governor.largest_step), fluid);
   water.read("settle_steps", {0, 5000}, fluid.settle_steps);
-  read_blocks(water, basis, tank, scene.tank_edges, fluid);
+  if (water.require("block")) fluid.blocks = blocks.read(water, "water");
   return fluid;
 }
 
@@ -268,9 +181,13 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
   scene.solver = validate_solver(reader);
   scene.governor = validate_governor(reader, basis, scene);
   if (reader.read_enum("on_fault") == proto::v1::Scene::RESTORE) scene.on_fault = FaultPolicy::kRestore;
-  scene.water = read_water(reader, basis, tank, scene);
+  BlockReader blocks(basis, tank, scene.tank_edges);
+  scene.water = read_water(reader, basis, scene, blocks);
+  scene.oil = validate_oil(reader, scene.water.rest_density, blocks);
 
   read_wind_of_scene(reader, basis, scene);
+  if (reader.has("current")) scene.current = read_current(reader.child("current"));
+  scene.events = validate_events(reader, basis, scene.wind);
   scene.bodies = validate_bodies(reader, tank, source);
   read_far_sea(reader, scene.far_sea);
   read_origin(reader, scene.origin);

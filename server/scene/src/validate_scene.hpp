@@ -24,12 +24,42 @@ struct Basis {
   double support_radius = 2.0;         ///< spacings
 };
 
+/// A Box field, both corners required, min below max; none if it is faulty.
+[[nodiscard]] std::optional<Box> read_box(const FieldReader& reader);
+
+/// Reads the `block` entries of all liquids: inside the tank, not overlapping, not too many particles in all.
+class BlockReader {
+ public:
+  BlockReader(const Basis& basis, const std::optional<Box>& tank, const TankEdges& edges)
+      : spacing_(basis.spacing), tank_(tank), edges_(edges) {}
+
+  /// @param name  of the liquid's field in the scene, for refusals of later blocks
+  std::vector<Box> read(const FieldReader& liquid, const char* name);
+
+ private:
+  void place(const FieldReader& entry, std::string name, const Box& block);
+
+  std::optional<double> spacing_;
+  std::optional<Box> tank_;
+  TankEdges edges_;
+  std::vector<std::pair<std::string, Box>> placed_;
+  double total_ = 0.0;  ///< particles
+};
+
+/// The `oil` entry; none where the scene has none.
+[[nodiscard]] std::optional<OilSettings> validate_oil(const FieldReader& scene_reader, double water_density,
+                                                      BlockReader& blocks);
+
 /// Reads every field of a Scene message; faults are noted in the reader. The scene may be used only if none was.
 [[nodiscard]] Scene validate_scene(const FieldReader& reader, const SceneSource& source);
 
 /// The `body` entries.
 [[nodiscard]] std::vector<BodySettings> validate_bodies(const FieldReader& scene_reader, const std::optional<Box>& tank,
                                                         const SceneSource& source);
+
+/// The `event` entries, in their order; each builds on the scene's wind and the events before its time.
+[[nodiscard]] std::vector<SceneEvent> validate_events(const FieldReader& scene_reader, const Basis& basis,
+                                                      const std::optional<WindSettings>& wind);
 
 /// The `solver` entry.
 [[nodiscard]] SolverSettings validate_solver(const FieldReader& scene_reader);

@@ -1,5 +1,6 @@
 #include "simulation/fluid_setup.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "values/lattice.hpp"
@@ -60,6 +61,31 @@ SolveSettings solve_settings(const ConstraintSettings& constraint, const SolverS
   return settings;
 }
 
+/// Oil's particles have to be kept calm like the water's: where the solver needs a kinematic viscosity for that, oil
+/// has at least the same.
+PhaseParameters phase_parameters(const OilProperties& oil, double water_viscosity) {
+  return {oil.density, std::max(oil.viscosity, oil.density * water_viscosity)};
+}
+
+/// Adds the local positions of a block's particles, those inside hulls left out.
+void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, const Eigen::Vector3d& origin,
+                std::vector<Float4>& positions) {
+  const double d = scene.particle_spacing;
+  const auto counts = lattice_counts(block, d, scene.tank_edges);
+  const Eigen::Vector3d first =
+      block.min + d * Eigen::Vector3d(lattice_offset(scene.tank_edges[0]), lattice_offset(scene.tank_edges[1]),
+                                      lattice_offset(scene.tank_edges[2]));
+  for (std::int64_t k = 0; k < counts[2]; ++k)
+    for (std::int64_t j = 0; j < counts[1]; ++j)
+      for (std::int64_t i = 0; i < counts[0]; ++i) {
+        const Eigen::Vector3d x =
+            first + d * Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
+        if (!bodies.empty() && bodies.covers(x, kHullClearance * d)) continue;
+        const Eigen::Vector3f local = (x - origin).cast<float>();
+        positions.push_back({local.x(), local.y(), local.z(), 0.0F});
+      }
+}
+
 }  // namespace
 
 FluidParameters fluid_parameters(const Scene& scene, const Eigen::Vector3d& origin) {
@@ -69,6 +95,7 @@ FluidParameters fluid_parameters(const Scene& scene, const Eigen::Vector3d& orig
   p.rest_density = scene.water.rest_density;
   p.viscosity = scene.water.kinematic_viscosity >= 0.0 ? scene.water.kinematic_viscosity
                                                        : default_viscosity(scene.solver.kind, p.spacing);
+  if (scene.oil && scene.oil->model != OilModel::kSlick) p.oil = phase_parameters(scene.oil->properties, p.viscosity);
   p.gravity = scene.gravity;
   for (int axis = 0; axis < 3; ++axis) {
     p.tank.min[axis] = static_cast<float>(scene.tank.min[axis] - origin[axis]);
@@ -91,25 +118,14 @@ double largest_time_step(const Scene& scene) {
   return 0.07 * std::sqrt(scene.particle_spacing / (scene.gravity > 0.0 ? scene.gravity : 9.81));
 }
 
-std::vector<Float4> place_blocks(const Scene& scene, const Bodies& bodies, const Eigen::Vector3d& origin) {
-  const double d = scene.particle_spacing;
-  std::vector<Float4> positions;
-  for (const Box& block : scene.water.blocks) {
-    const auto counts = lattice_counts(block, d, scene.tank_edges);
-    const Eigen::Vector3d first =
-        block.min + d * Eigen::Vector3d(lattice_offset(scene.tank_edges[0]), lattice_offset(scene.tank_edges[1]),
-                                        lattice_offset(scene.tank_edges[2]));
-    for (std::int64_t k = 0; k < counts[2]; ++k)
-      for (std::int64_t j = 0; j < counts[1]; ++j)
-        for (std::int64_t i = 0; i < counts[0]; ++i) {
-          const Eigen::Vector3d x =
-              first + d * Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
-          if (!bodies.empty() && bodies.covers(x, kHullClearance * d)) continue;
-          const Eigen::Vector3f local = (x - origin).cast<float>();
-          positions.push_back({local.x(), local.y(), local.z(), 0.0F});
-        }
-  }
-  return positions;
+StartingParticles place_blocks(const Scene& scene, const Bodies& bodies, const Eigen::Vector3d& origin) {
+  StartingParticles start;
+  for (const Box& block : scene.water.blocks) fill_block(scene, block, bodies, origin, start.position);
+  if (!scene.oil || scene.oil->model == OilModel::kSlick) return start;
+  start.phase.assign(start.position.size(), kWaterPhase);
+  for (const Box& block : scene.oil->blocks) fill_block(scene, block, bodies, origin, start.position);
+  start.phase.resize(start.position.size(), kOilPhase);
+  return start;
 }
 
 double rest_level(const Scene& scene) {

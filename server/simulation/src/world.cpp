@@ -9,6 +9,7 @@
 #include "simulation/fluid_setup.hpp"
 #include "version/version.hpp"
 #include "waves/sea_state.hpp"
+#include "world_sites.hpp"
 
 namespace pelagos {
 
@@ -40,11 +41,9 @@ Bodies make_bodies(TaskPool& pool, const Scene& scene) {
   throw std::invalid_argument(text);
 }
 
-WindSite wind_site(const Scene& scene, const Eigen::Vector3d& origin, double water_level) {
-  return {{origin, water_level, scene.tank.min.z(), scene.seed},
-          scene.particle_spacing,
-          scene.gravity,
-          scene.water.rest_density};
+FluidState make_start(TaskPool& pool, const Scene& scene, const Bodies& bodies, const Eigen::Vector3d& origin) {
+  const StartingParticles start = place_blocks(scene, bodies, origin);
+  return make_fluid(pool, fluid_parameters(scene, origin), start.position, start.phase);
 }
 
 SurfaceScales surface_scales(const FluidParameters& parameters) {
@@ -61,7 +60,8 @@ World::World(const Scene& scene, const WorldOptions& options)
       water_level_(rest_level(scene)),
       clock_(scene.frame_interval),
       bodies_(make_bodies(*pool_, scene)),
-      fluid_(make_fluid(*pool_, fluid_parameters(scene, origin_), place_blocks(scene, bodies_, origin_))),
+      fluid_(make_start(*pool_, scene, bodies_, origin_)),
+      drive_(scene, origin_, water_level_),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
       max_step_(largest_time_step(scene)) {
   if (!bodies_.empty()) bodies_.place(origin_, fluid_);
@@ -69,6 +69,8 @@ World::World(const Scene& scene, const WorldOptions& options)
   settle();
   for (std::size_t i = 0; i < fluid_.particles.count; ++i)
     fluid_.particles.acceleration[i] = {0.0F, 0.0F, static_cast<float>(-scene_.gravity), 0.0F};
+  if (scene_.current) start_current();
+  if (scene_.oil) spill_.emplace(scene_, fluid_, origin_, water_level_);
   if (scene_.on_fault == FaultPolicy::kRestore) {
     recovery_.emplace(clock_);
     keep_recovery_point();
@@ -76,12 +78,15 @@ World::World(const Scene& scene, const WorldOptions& options)
 }
 
 void World::keep_recovery_point() {
-  if (recovery_) recovery_->keep(fluid_, bodies_, clock_, largest_speed_);
+  if (!recovery_) return;
+  recovery_->keep(fluid_, bodies_, clock_, largest_speed_);
+  if (spill_) spill_before_.emplace(spill_->state());
 }
 
 StepFault World::recover() {
   if (!recovery_ || ++faults_in_row_ == kMostFaults) return StepFault::kFatal;
   recovery_->restore(origin_, fluid_, bodies_, clock_, largest_speed_);
+  if (spill_before_) spill_->restore(*spill_before_);
   careful_until_ = clock_.time() + kCarefulTime;
   return StepFault::kRestored;
 }
@@ -113,6 +118,8 @@ WorldStep World::advance() {
     FluidParticles& p = fluid_.particles;
     wind_->act(*pool_, p.position, p.count, now + dt, p.acceleration, p.velocity);
   }
+  drive_current(now + dt, report);
+  advance_oil(dt, now + dt, report);
   {
     const StageScope scope(report.times, clock, Stage::kMeasure);
     measure_fluid(*pool_, fluid_, dt, report);
@@ -138,36 +145,6 @@ double World::choose_time_step() const {
   return clock_.choose_step(std::max(step, kSmallestStep * longest));
 }
 
-void World::set_wind(const WindSettings& wind, double ramp_seconds) {
-  if (!wind_) {  // from calm: the same wind without speed, ramped up
-    WindSettings calm = wind;
-    calm.velocity.setZero();
-    calm.amplitude = 0.0;
-    wind_.emplace(wind_site(scene_, origin_, water_level_), calm, clock_.time());
-  }
-  wind_->set(wind, clock_.time(), ramp_seconds);
-}
-
-std::optional<WindSettings> World::wind() const {
-  if (!wind_) return std::nullopt;
-  return wind_->air().settings_at(clock_.time());
-}
-
-std::optional<Air> World::air() const {
-  if (!wind_) return std::nullopt;
-  return wind_->air();
-}
-
-void World::set_effort(const Effort& effort) {
-  max_step_ = effort.max_step;
-  fluid_.parameters.density.tolerance = effort.density_tolerance;
-  fluid_.parameters.divergence.tolerance = effort.divergence_tolerance;
-}
-
-Effort World::effort() const {
-  return {max_step_, fluid_.parameters.density.tolerance, fluid_.parameters.divergence.tolerance};
-}
-
 void World::fill_snapshot(Snapshot& snapshot, StepReport& report) {
   const StageScope scope(report.times, options_.clock, Stage::kSurface);
   snapshot.frame = clock_.frame();
@@ -175,6 +152,8 @@ void World::fill_snapshot(Snapshot& snapshot, StepReport& report) {
   snapshot.origin = origin_;
   snapshot.total_particles = static_cast<std::uint32_t>(fluid_.particles.count);
   snapshot.bodies = bodies_.states();
+  snapshot.oil.reset();
+  if (spill_) snapshot.oil.emplace(OilSnapshot{spill_->budget(), spill_->discs()});
   const SurfaceInput input{fluid_.particles,        fluid_.walls, fluid_.fluid_list, fluid_.wall_list,
                            Eigen::Vector3d::Zero(), clock_.time()};
   surface_.detect(input, *pool_);

@@ -10,7 +10,7 @@ namespace pelagos {
 
 namespace {
 
-enum Mark : std::uint8_t { kInside, kSurface, kHalo, kNotFinite };
+enum Mark : std::uint8_t { kInside, kSurface, kHalo, kOil, kNotFinite };
 
 constexpr std::size_t kGroupsPerBlock = 32;
 constexpr std::size_t kParticlesPerBlock = 256;
@@ -87,6 +87,9 @@ void SurfaceExtractor::detect(const SurfaceInput& input, TaskPool& pool) {
     }
   });
   mark_halo(input, pool);
+  if (!fluid.phase.empty())
+    for (std::size_t i = 0; i < fluid.count; ++i)
+      if (mark_[i] == kInside && fluid.phase[i] == kOilPhase) mark_[i] = kOil;
   collect(fluid.count);
 }
 
@@ -115,6 +118,7 @@ void SurfaceExtractor::collect(std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     counts_.surface += mark_[i] == kSurface;
     counts_.halo += mark_[i] == kHalo;
+    counts_.oil += mark_[i] == kOil;
     counts_.not_finite += mark_[i] == kNotFinite;
     if (mark_[i] != kNotFinite && (mark_[i] != kInside || settings_.publish_all))
       indices_.push_back(static_cast<std::uint32_t>(i));
@@ -149,6 +153,7 @@ SurfaceParticle SurfaceExtractor::shape_particle(const SurfaceInput& input, std:
   particle.orientation = ellipsoid.orientation;
   particle.semi_axes = ellipsoid.semi_axes;
   particle.velocity = vector_of(fluid.velocity[i]);
+  particle.phase = fluid.phase.empty() ? kWaterPhase : fluid.phase[i];
   const float count = smooth_neighbor_count(moments.weight);
   particle.spray = to_byte((kSprayFrom - count) / (kSprayFrom - kSprayFull));
 

@@ -193,6 +193,7 @@ class FramePublisher::Implementation {
       count_write(event_writer_.write(&sample), "event");
     }
     if (work.snapshot) publish_frame(*work.snapshot, work.particle_spacing);
+    if (work.snapshot && work.snapshot->oil) publish_oil(*work.snapshot, *work.snapshot->oil);
     if (work.status) {
       publish_status(*work.status);
     } else if (work.snapshot && Clock::now() - last_status_ >= status_interval_) {
@@ -224,6 +225,16 @@ class FramePublisher::Implementation {
       const std::size_t octets = sample.payload._length + header_octets(snapshot.bodies.size());
       counters_.bytes_per_particle = static_cast<double>(octets) / sample.count;
     }
+  }
+
+  void publish_oil(const Snapshot& snapshot, const OilSnapshot& oil) {
+    if (!slick_writer_) {  // the topics are there in scenes with oil only
+      slick_writer_.emplace(*participant_, topics::slick());
+      oil_budget_writer_.emplace(*participant_, topics::oil_budget());
+    }
+    const wire::OilSample sample(snapshot, oil, source_);
+    count_write(slick_writer_->write(&sample.slick()), "slick");
+    count_write(oil_budget_writer_->write(&sample.budget()), "oil_budget");
   }
 
   /// Status, and the wind with it.
@@ -273,6 +284,7 @@ class FramePublisher::Implementation {
   DdsWriter status_writer_, status_v1_writer_;
   DdsWriter wind_writer_;
   DdsWriter event_writer_;
+  std::optional<DdsWriter> slick_writer_, oil_budget_writer_;  ///< of the publisher thread
 
   // Of the publisher thread alone.
   wire::OceanFrameSample frame_sample_;

@@ -1,4 +1,4 @@
-#include "column_grid.hpp"
+#include "wind/column_grid.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "column_grid.hpp"
+#include "wind/column_grid.hpp"
 #include "wind/drag.hpp"
 #include "wind/wind.hpp"
 

@@ -43,6 +43,13 @@ TopicSpec status() { return {"status_v2", &pelagos_StatusV2_desc, TopicQos{}, re
 
 TopicSpec wind() { return {"wind_v1", &pelagos_WindV1_desc, for_late({}), for_late(reader_qos())}; }
 
+TopicSpec slick() {
+  TopicQos writer;
+  writer.depth = 2;
+  return {"slick_v1", &pelagos_SlickV1_desc, writer, reader_qos()};
+}
+TopicSpec oil_budget() { return {"oil_budget_v1", &pelagos_OilBudgetV1_desc, for_late({}), for_late(reader_qos())}; }
+
 // Events come in bursts and each one counts.
 TopicSpec event() {
   TopicQos writer;

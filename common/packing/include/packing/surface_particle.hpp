@@ -13,7 +13,7 @@ struct SurfaceParticle {
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();  ///< R: ellipsoid axes to world, unit
   Eigen::Vector3f semi_axes = Eigen::Vector3f::Ones();              ///< m, > 0, descending
   Eigen::Vector3f velocity = Eigen::Vector3f::Zero();               ///< m/s, world
-  std::uint8_t phase = 0;                                           ///< 0 water; oil and others follow
+  std::uint8_t phase = 0;                                           ///< 0 water, 1 oil
   std::uint8_t foam = 0;                                            ///< 0 none .. 255 white
   std::uint8_t spray = 0;                                           ///< 0 bulk .. 255 isolated drop
 };

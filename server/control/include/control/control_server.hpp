@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "values/command.hpp"
 #include "values/status.hpp"
@@ -30,13 +31,35 @@ struct ControlOptions {
 
 enum class LogLevel { kInfo, kWarning, kError };
 
+/// What became of a command with a time.
+struct ScheduleAnswer {
+  enum class Outcome {
+    kTaken,    ///< it waits under `id`
+    kPast,     ///< its time has passed: it is `present_time` already
+    kRefused,  ///< it cannot be taken now: `reason`
+  };
+  Outcome outcome = Outcome::kTaken;
+  std::uint64_t id = 0;
+  double present_time = 0.0;  ///< s, simulated
+  std::string reason;
+};
+
 /// What the link needs from the program around it. All are called on the link's own thread, must return at once, and
-/// must be callable until ControlServer's destructor returns. An exception out of submit or status is answered
-/// INTERNAL.
+/// must be callable until ControlServer's destructor returns. An exception out of one of them, `log` apart, is
+/// answered INTERNAL.
 struct ControlHooks {
   /// Takes a validated command for the next step boundary. @return nothing, or why it cannot be done now
   /// @param source  e.g. "station 127.0.0.1:40112", for events and logs
   std::function<std::optional<std::string>(const Command& command, const std::string& source)> submit;
+  /// Takes a validated command for the first step boundary at or after `at` (s, simulated).
+  std::function<ScheduleAnswer(const Command& command, double at, const std::string& source)> schedule;
+  /// Takes a command out of the schedule; false if none waits under that id.
+  std::function<bool(std::uint64_t id, const std::string& source)> cancel;
+  /// All that wait, in the order in which they fall due.
+  std::function<std::vector<ScheduledCommand>()> scheduled;
+  /// The wind that will have been set last when a command for `at` (nothing: the next boundary) is applied: what fields
+  /// that a station leaves out keep.
+  std::function<std::optional<WindSettings>(std::optional<double> at)> wind_before;
   std::function<ServerStatus()> status;
   std::function<void(LogLevel level, std::string_view text)> log;  ///< at most about 20 lines a second, one line each
 };

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "physics/neighbors.hpp"
 #include "physics/pair_passes.hpp"
 #include "physics/particles.hpp"
+#include "physics/phases.hpp"
 #include "physics/step_report.hpp"
 #include "physics/task_pool.hpp"
 
@@ -29,7 +32,8 @@ struct FluidParameters {
   double spacing = 0.05;                                             ///< d, m
   double support_radius = 0.1;                                       ///< m, 2 d
   double rest_density = 1000.0;                                      ///< kg/m^3
-  double viscosity = 0.01;                                           ///< m^2/s
+  double viscosity = 0.01;                                           ///< m^2/s, of the water
+  std::optional<PhaseParameters> oil;                                ///< none: no particle is oil
   double gravity = 9.81;                                             ///< m/s^2, along -z
   Region tank;                                                       ///< m, local
   std::array<Edge, 3> edges{Edge::kWall, Edge::kWall, Edge::kWall};  ///< how the faces across x, y, z close the tank
@@ -39,6 +43,11 @@ struct FluidParameters {
   SolveSettings divergence;
 
   [[nodiscard]] double volume() const { return spacing * spacing * spacing; }  ///< of a particle, m^3
+};
+
+/// Arrays of the implicit viscosity, kept between steps.
+struct ViscositySolve {
+  std::vector<Float4> residual, direction, image;  ///< m/s
 };
 
 /// The water and its walls, with everything that a step reuses. Local coordinates: metres from the world's origin.
@@ -59,17 +68,37 @@ struct FluidState {
   Corrections corrections;               ///< corrected scheme only
   VelocityGradients velocity_gradients;  ///< corrected scheme only
   std::vector<Float4> filter_change;     ///< corrected scheme only
+  PhasePair phases;                      ///< of the present order; scenes with oil only
+  std::size_t oil_count = 0;             ///< oil particles at the last sort; 0: no pass knows of phases
+  ViscositySolve viscosity;              ///< implicit viscosity only
+  std::uint32_t next_id = 0;             ///< of the next particle that is added
   std::vector<float> source;
   SolveWorkspace work;
   std::vector<std::uint32_t> order;
   std::vector<Float4> sorted_record;
   std::vector<float> sorted_scalar;
   std::vector<std::uint32_t> sorted_id;
+  std::vector<std::uint8_t> sorted_phase;
 };
 
 /// Builds the state: particles at the given local positions, at rest; walls of the tank sampled and sorted.
+/// @param phase  of each particle; empty: all are water. Oil needs parameters.oil
 [[nodiscard]] FluidState make_fluid(TaskPool& pool, const FluidParameters& parameters,
-                                    std::span<const Float4> positions);
+                                    std::span<const Float4> positions, std::span<const std::uint8_t> phase = {});
+
+// Particles come and go between steps only: neighbour lists, densities' gradients and pressures belong to the particles
+// before until the next step has been made.
+
+/// Adds particles at the given local positions (w is ignored) and velocities, behind those that are there, in this
+/// order. They get ids that no particle had before, no pressure, density 1 and gravity as acceleration.
+/// @param velocities  m/s, as many as positions
+/// @param phase       of all of them; kOilPhase needs parameters.oil
+void add_particles(FluidState& state, std::span<const Float4> positions, std::span<const Float4> velocities,
+                   std::uint8_t phase);
+
+/// Takes out every particle for whose index `unwanted` is true; the others keep their order and ids. Calls may come
+/// from several threads. Returns how many were taken out.
+std::size_t remove_particles(TaskPool& pool, FluidState& state, const std::function<bool(std::size_t)>& unwanted);
 
 /// Advances the water by dt with the chosen scheme: predict, sort, search, constraints. The accelerations of the last
 /// step act (gravity in the first one). Successive steps should be of like size: a repair u of the density, about
@@ -79,6 +108,9 @@ void advance_fluid(TaskPool& pool, FluidState& state, double dt, Clock clock, St
 
 /// Gravity and viscosity into particles.acceleration, and the densities at the final positions where the scheme has
 /// left them open; other forces are added by their own layers afterwards.
+/// With oil, viscosity is explicit up to nu dt / d^2 = 0.1 (it fails at 0.2) for the larger kinematic viscosity nu and
+/// the usual longest step 0.07 sqrt(d / g). Beyond that the velocities are changed at once instead: (1 - dt L) v =
+/// v_old by conjugate gradients, where L v is the viscous acceleration and dt the step just made.
 void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report);
 
 /// Errors, energies, largest speed of the present state into the report. `dt` is the step just made.

@@ -9,6 +9,7 @@
 #include "physics/ghosts.hpp"
 #include "physics/neighbors.hpp"
 #include "physics/particles.hpp"
+#include "physics/phases.hpp"
 #include "physics/task_pool.hpp"
 
 namespace pelagos {
@@ -18,16 +19,17 @@ namespace pelagos {
 //   (J v)_i  = sum_j (v_i - v_j).a_ij + sum_b (v_i - v_b).a_ib = d delta_i / dt             paper eq. 5, other sign
 //   (J'p)_i  = p_i S_i - sum_j p_j a_ji,   S_i = sum_j a_ij + sum_b a_ib        paper eq. 20 and 30; adjoint of J
 //   alpha_i  = 1 / (|S_i|^2 + sum_j |a_ij|^2) = 1 / diag(J J')
-// with the plain gradients a_ij = V grad W_ij (then -a_ji = a_ij), or the corrected ones, a_ij = V B_i grad W_ij, where
-// B_i is the inverse of the particle's moment matrix: J is then exact for every linear field of velocities, at the
-// surface and in disorder too (Bonet and Lok 1999), and J' is still its adjoint, so nothing is gained or lost by the
-// pressure.
-// The paper prints alpha with the opposite sign (eq. 19, 37); with the forces of eq. 20 it has to be positive.
-// J does not change while a constraint is solved, so its gradients are computed once and kept in half precision
-// (relative error 5e-4; both members of a pair round the same numbers: momentum is conserved to rounding all the same).
-// Every pass writes only the entries of its own particles: the same bits for any number of threads.
-// Arrays that a pass gathers hold the images of mirrored and periodic faces behind the particles (see ghosts.hpp) and
-// must be up to date there.
+// With two phases J' p is weighed by the mobilities w_i (see phases.hpp), and alpha_i is divided by the largest w of
+// the particle and its neighbours: a bound of 1 / diag(J W J') from below, which stays stable at any ratio of
+// densities. with the plain gradients a_ij = V grad W_ij (then -a_ji = a_ij), or the corrected ones, a_ij = V B_i grad
+// W_ij, where B_i is the inverse of the particle's moment matrix: J is then exact for every linear field of velocities,
+// at the surface and in disorder too (Bonet and Lok 1999), and J' is still its adjoint, so nothing is gained or lost by
+// the pressure. The paper prints alpha with the opposite sign (eq. 19, 37); with the forces of eq. 20 it has to be
+// positive. J does not change while a constraint is solved, so its gradients are computed once and kept in half
+// precision (relative error 5e-4; both members of a pair round the same numbers: momentum is conserved to rounding all
+// the same). Every pass writes only the entries of its own particles: the same bits for any number of threads. Arrays
+// that a pass gathers hold the images of mirrored and periodic faces behind the particles (see ghosts.hpp) and must be
+// up to date there.
 
 /// Gradients times the particle spacing (no unit) of every slot of a neighbour list: x, y, z for each lane.
 struct GradientCache {
@@ -36,12 +38,13 @@ struct GradientCache {
 
 /// The discrete J of one state, as both constraints need it.
 struct Gradients {
-  GradientCache own;         ///< a_ij
-  GradientCache other;       ///< -a_ji where that differs from a_ij, else unused
-  bool corrected = false;    ///< whether `other` is used
-  std::vector<Float4> sum;   ///< [padded] x, y, z: S_i, 1/m
-  std::vector<Float4> wall;  ///< [padded] x, y, z: sum_b a_ib (1/m); w: sum_b v_b.a_ib (1/s)
-  std::vector<float> alpha;  ///< [padded] m^2; 0 for a particle without neighbours
+  GradientCache own;            ///< a_ij
+  GradientCache other;          ///< -a_ji where that differs from a_ij, else unused
+  bool corrected = false;       ///< whether `other` is used
+  std::vector<Float4> sum;      ///< [padded] x, y, z: S_i, 1/m
+  std::vector<Float4> wall;     ///< [padded] x, y, z: sum_b a_ib (1/m); w: sum_b v_b.a_ib (1/s)
+  std::vector<float> alpha;     ///< [padded] m^2; 0 for a particle without neighbours
+  std::vector<float> mobility;  ///< [padded] the largest w among the particle and its neighbours; two phases only
 };
 
 /// Symmetric matrices B_i (no unit), as two records that pair loops gather.
@@ -57,11 +60,12 @@ struct PairData {
   const NeighborList* fluid = nullptr;
   const NeighborList* boundary = nullptr;
   const BoundaryParticles* walls = nullptr;
-  const Ghosts* ghosts = nullptr;  ///< null without images
-  bool walls_move = false;         ///< false: wall velocities are not even read
-  float support_radius = 0;        ///< m
-  float volume = 0;                ///< m^3, V
-  float spacing = 0;               ///< m, d
+  const Ghosts* ghosts = nullptr;     ///< null without images
+  bool walls_move = false;            ///< false: wall velocities are not even read
+  float support_radius = 0;           ///< m
+  float volume = 0;                   ///< m^3, V
+  float spacing = 0;                  ///< m, d
+  const PhasePair* phases = nullptr;  ///< null with one phase; else position.w tells them apart
 };
 
 /// Density and plain gradients of every particle.
@@ -81,7 +85,7 @@ void compute_corrections(TaskPool& pool, const PairData& data, std::span<float> 
 void compute_corrected_gradients(TaskPool& pool, const PairData& data, const Corrections& corrections,
                                  Gradients& gradients);
 
-/// out = -J' p: a displacement in m for p in m^2.
+/// out = -J' p, with two phases -W J' p: a displacement in m for p in m^2.
 void apply_pressure(TaskPool& pool, const PairData& data, const Gradients& gradients, std::span<const float> pressure,
                     std::span<Float4> displacement);
 
@@ -98,8 +102,9 @@ void compute_velocity_gradients(TaskPool& pool, const PairData& data, const Grad
                                 std::span<const Float4> velocity, VelocityGradients& out);
 
 /// What the filter takes out of the velocities: sum_j V W_ij [v_j - v_i + (G_i + G_j)/2 (x_i - x_j)], m/s. Zero for
-/// velocities that are linear in space; antisymmetric in each pair, so momentum stays. The pass has the kernel at hand,
-/// so it gives the densities at these positions as well.
+/// velocities that are linear in space; antisymmetric in each pair, so momentum stays. Between two phases each particle
+/// takes the share rho0_lighter / rho0_i, for the same reason. The pass has the kernel at hand, so it gives the
+/// densities at these positions as well.
 void compute_filter(TaskPool& pool, const PairData& data, const VelocityGradients& gradients, std::span<Float4> change,
                     std::span<float> delta);
 
@@ -109,5 +114,11 @@ void compute_filter(TaskPool& pool, const PairData& data, const VelocityGradient
 /// friction. @param delta  out, the densities at these positions; may be empty
 void compute_acceleration(TaskPool& pool, const PairData& data, std::span<const Float4> velocity, float viscosity,
                           float gravity, std::span<Float4> acceleration, std::span<float> delta = {});
+
+/// The same with two phases (data.phases): a = g + w_i 2 (dim + 2) sum_j V nu_ij (...) grad W_ij with nu_ij = mu_ij /
+/// rho_ref, mu_ij the harmonic mean of the dynamic viscosities, which is what two layers in series have (Cleary and
+/// Monaghan 1999, for conduction). The forces of a pair are equal and opposite.
+void compute_phase_acceleration(TaskPool& pool, const PairData& data, std::span<const Float4> velocity, float gravity,
+                                std::span<Float4> acceleration, std::span<float> delta = {});
 
 }  // namespace pelagos

@@ -11,19 +11,24 @@ struct alignas(16) Float4 {
   float x = 0, y = 0, z = 0, w = 0;
 };
 
+/// The liquids of a scene by number, as particles carry them.
+inline constexpr std::uint8_t kWaterPhase = 0, kOilPhase = 1;
+
 /// Fluid particles, in cell order (re-sorted every step). Positions in metres relative to the world's origin.
-/// All particles have the same volume V = d^3; density is in volume form, delta = rho / rho0 (no unit).
+/// All particles have the same volume V = d^3, whatever their phase; density is in volume form, delta = rho / rho0 (no
+/// unit), and does not see phases (paper eq. 36).
 /// Arrays hold `padded_count(count)` entries, so that a group of lanes may be read whole; entries past `count` are a
 /// far dummy that contributes nothing.
 struct FluidParticles {
   std::size_t count = 0;
-  std::vector<Float4> position;            ///< x, y, z; w unused between steps
+  std::vector<Float4> position;            ///< x, y, z; w: 1 for the lighter of two phases, else 0; set by each step
   std::vector<Float4> velocity;            ///< m/s
   std::vector<Float4> acceleration;        ///< m/s^2, of the last step: gravity, viscosity, wind
   std::vector<float> density;              ///< delta, at the positions at the end of the step
   std::vector<float> density_pressure;     ///< m^2, warm start of the density solve
   std::vector<float> divergence_pressure;  ///< m^2, of the divergence solve of this step
-  std::vector<std::uint32_t> id;           ///< stable identity: index at creation
+  std::vector<std::uint32_t> id;           ///< stable identity, given once: the index at creation, counted on
+  std::vector<std::uint8_t> phase;         ///< kWaterPhase or kOilPhase; empty where the scene has no oil
 };
 
 /// Boundary samples (Akinci et al. 2012): position and volume V_b in one record, and the velocity of the wall.

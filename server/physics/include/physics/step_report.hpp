@@ -19,6 +19,8 @@ enum class Stage : std::uint8_t {
   kFilter,            ///< noise of single particles out of the velocities
   kAcceleration,      ///< gravity and viscosity
   kWind,
+  kCurrent,  ///< a current's hold on the water
+  kOil,      ///< sources, slick layer, exchange of particles and film
   kMeasure,  ///< errors, energy, largest speed
   kSurface,  ///< surface set and anisotropy, on frame steps only
   kCount
@@ -26,7 +28,8 @@ enum class Stage : std::uint8_t {
 inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::kCount);
 inline constexpr std::array<const char*, kStageCount> kStageNames = {
     "bodies",           "predict", "sort",         "neighbors", "density", "density_solve", "correct_gradients",
-    "divergence_solve", "filter",  "acceleration", "wind",      "measure", "surface"};
+    "divergence_solve", "filter",  "acceleration", "wind",      "current", "oil",           "measure",
+    "surface"};
 
 /// Wall time for each stage. Physics has no clock of its own: the caller gives one (null: nothing is timed).
 using Clock = std::int64_t (*)();  ///< ns from any fixed origin, monotonic
@@ -65,6 +68,7 @@ struct StepReport {
   double dt = 0.0;  ///< s
   SolveReport density;
   SolveReport divergence;
+  SolveReport viscosity;          ///< implicit viscosity of scenes with oil; residual relative to the first
   double density_error = 0.0;     ///< mean of max(delta - 1, 0) at the final positions
   double largest_density = 0.0;   ///< max of delta
   double kinetic_energy = 0.0;    ///< J

@@ -106,6 +106,13 @@ const FieldReader::Field& FieldReader::field(const char* name) const {
 
 bool FieldReader::has(const char* name) const { return message_->GetReflection()->HasField(*message_, &field(name)); }
 
+std::string FieldReader::which(const char* oneof) const {
+  const auto* descriptor = message_->GetDescriptor()->FindOneofByName(oneof);
+  if (descriptor == nullptr) throw std::logic_error(message_->GetDescriptor()->full_name() + " has no oneof " + oneof);
+  const Field* set = message_->GetReflection()->GetOneofFieldDescriptor(*message_, descriptor);
+  return set == nullptr ? "" : set->name();
+}
+
 std::string FieldReader::path_of(const char* name) const {
   if (*name == '\0') return path_;
   return path_.empty() ? name : path_ + "." + name;

@@ -7,6 +7,7 @@ namespace pelagos {
 namespace {
 
 constexpr double kLargestSpeed = 75.0;  // m/s; the strongest sustained winds measured at sea stay below 100 m/s
+constexpr double kRounding = 1e-12;     // of a length that was made of speed and direction
 
 constexpr Range kSpeedRange{0.0, kLargestSpeed, "m/s"};
 constexpr Range kBeaufortRange{0, 12, "Beaufort"};
@@ -45,7 +46,7 @@ void read_mean(const FieldReader& reader, const std::optional<WindSettings>& pre
     if (reader.has("from_deg")) reader.fault("from_deg", "says the direction twice: velocity has it already");
     Eigen::Vector3d given;
     if (!reader.read("velocity", kVelocityRange, given)) return;
-    if (given.norm() > kLargestSpeed) {
+    if (given.norm() > kLargestSpeed * (1.0 + kRounding)) {
       reader.fault("velocity", "is " + format_number(given.norm()) + " m/s long; allowed: 0 to 75 m/s");
       return;
     }

@@ -18,8 +18,14 @@ void apply_solver(const SolverSettings& solver, FluidParameters& parameters);
 /// Largest time step: the scene's, or 0.07 sqrt(d / g). Without gravity 0.07 sqrt(d / 9.81).
 [[nodiscard]] double largest_time_step(const Scene& scene);
 
-/// Local positions of the particles of all blocks, those inside hulls left out.
-[[nodiscard]] std::vector<Float4> place_blocks(const Scene& scene, const Bodies& bodies, const Eigen::Vector3d& origin);
+/// Particles at the start.
+struct StartingParticles {
+  std::vector<Float4> position;     ///< m, local
+  std::vector<std::uint8_t> phase;  ///< one a particle; empty in a scene without oil
+};
+
+/// The particles of all blocks, those inside hulls left out: the water's, then the oil's.
+[[nodiscard]] StartingParticles place_blocks(const Scene& scene, const Bodies& bodies, const Eigen::Vector3d& origin);
 
 /// Level of the water once it is at rest, m, world: the particles of all blocks spread over the tank's floor.
 [[nodiscard]] double rest_level(const Scene& scene);

@@ -9,7 +9,9 @@
 
 #include "physics/fluid.hpp"
 #include "simulation/bodies.hpp"
+#include "simulation/current_drive.hpp"
 #include "simulation/frame_clock.hpp"
+#include "simulation/oil_spill.hpp"
 #include "simulation/recovery_point.hpp"
 #include "surface/surface_extractor.hpp"
 #include "values/command.hpp"
@@ -42,7 +44,7 @@ struct WorldStep {
   StepFault fault = StepFault::kNone;
 };
 
-/// A scene in motion: water, walls, bodies, wind and time. No I/O beyond the mesh files read at the start.
+/// A scene in motion: water, walls, bodies, wind, current and time. No I/O beyond the mesh files read at the start.
 /// The same scene, seed, poses and commands at the same steps give the same bits for any number of threads.
 class World {
  public:
@@ -56,11 +58,36 @@ class World {
 
   /// Takes a validated pose; false if no body follows it.
   bool accept_pose(const BodyPose& pose) { return bodies_.accept(pose, clock_.time()); }
+
+  /// Does what a command asks, from the next step on. Those that steer the clock (pause, resume, single steps) are for
+  /// whoever advances the world and do nothing here. The scene's events are not applied by the world itself either.
+  /// @return why it cannot be done, and then nothing has changed; nothing where it was done
+  [[nodiscard]] std::optional<std::string> apply(const Command& command);
   void set_wind(const WindSettings& wind, double ramp_seconds);
   void clear_wind() { wind_.reset(); }
   [[nodiscard]] std::optional<WindSettings> wind() const;
   /// The air as it moves now and from now on, to be asked anywhere; nothing without wind.
   [[nodiscard]] std::optional<Air> air() const;
+
+  /// Along periodic axes the water follows (see CurrentDrive); along the others only what drifts is carried.
+  void set_current(const CurrentSettings& current, double ramp_seconds);
+  /// Nothing drifts any more; water that moves is slowed down for ten relaxation times, then left alone.
+  void clear_current();
+  /// As running now; nothing without one.
+  [[nodiscard]] std::optional<CurrentSettings> current() const;
+  /// For x, y: whether the water itself moves with a current.
+  [[nodiscard]] const std::array<bool, 2>& current_moves_water() const { return drive_.moves_water(); }
+  /// m/s at `position` (m, world) and `time` (s, simulated): zero without a current. What drifts starts here: things
+  /// that go with the air and the sea as a whole take `current_at`; things that already move with the water around them
+  /// (slicks, booms, floating bodies) add `unresolved_current_at`, the part that this water does not make itself. For
+  /// many positions, copy `current_field()` once a step: it is a small value with the same questions.
+  [[nodiscard]] Eigen::Vector3d current_at(const Eigen::Vector3d& position, double time) const {
+    return current_ ? current_->velocity_at(position, time) : Eigen::Vector3d::Zero();
+  }
+  [[nodiscard]] Eigen::Vector3d unresolved_current_at(const Eigen::Vector3d& position, double time) const {
+    return current_ ? current_->unresolved_velocity_at(position, time) : Eigen::Vector3d::Zero();
+  }
+  [[nodiscard]] const std::optional<Current>& current_field() const { return current_; }
 
   /// What the coming steps may cost. The scene's own until it is set; warm starts and states are kept.
   void set_effort(const Effort& effort);
@@ -77,6 +104,8 @@ class World {
   [[nodiscard]] const FluidState& fluid() const { return fluid_; }
   [[nodiscard]] const Eigen::Vector3d& origin() const { return origin_; }  ///< m, world
   [[nodiscard]] const Bodies& bodies() const { return bodies_; }
+  /// The oil; nothing in a scene without.
+  [[nodiscard]] const std::optional<OilSpill>& spill() const { return spill_; }
   [[nodiscard]] double water_level() const { return water_level_; }  ///< m, world, at rest
   /// Kinetic and potential energy in J, the latter from the tank's floor.
   [[nodiscard]] double energy(const StepReport& report) const;
@@ -86,6 +115,10 @@ class World {
   friend struct WorldTestAccess;  // tests of faults put them into the water
   [[nodiscard]] double choose_time_step() const;
   void settle();
+  void start_current();
+  void drive_current(double time, StepReport& report);
+  [[nodiscard]] std::optional<std::string> apply_to_oil(const OilCommand& command);
+  void advance_oil(double dt, double time, StepReport& report);
   void keep_recovery_point();
   StepFault recover();
 
@@ -98,11 +131,17 @@ class World {
   Bodies bodies_;
   FluidState fluid_;
   std::optional<Wind> wind_;
+  CurrentDrive drive_;
+  std::optional<Current> current_;  ///< that runs
+  std::optional<Current> slowing_;  ///< of no speed: what was cleared, while the water is still slowed down
+  double slowing_until_ = 0.0;      ///< s, simulated
+  std::optional<OilSpill> spill_;
   SurfaceExtractor surface_;
   double max_step_ = 0.0;
   double largest_speed_ = 0.0;
   std::uint64_t step_ = 0;
-  std::optional<RecoveryPoint> recovery_;  ///< only where the scene asks for it
+  std::optional<RecoveryPoint> recovery_;        ///< only where the scene asks for it
+  std::optional<OilSpill::State> spill_before_;  ///< the oil's part of it
   int faults_in_row_ = 0;
   double careful_until_ = 0.0;  ///< s, simulated: steps are shorter up to there, while there are faults in a row
 };

@@ -36,6 +36,7 @@ struct SurfaceScales {
 struct SurfaceCounts {
   std::uint32_t surface = 0;     ///< off-centre in their neighbourhood, or with few neighbours
   std::uint32_t halo = 0;        ///< near one of those
+  std::uint32_t oil = 0;         ///< oil elsewhere: seen through clear water
   std::uint32_t not_finite = 0;  ///< left out: position or velocity is no number
 };
 
@@ -49,6 +50,7 @@ class SurfaceExtractor {
   /// First stage: which particles travel. A particle is taken where |mean neighbour position - position| / support
   /// radius exceeds the threshold (Yu & Turk's weights, paper eq. 44 and 45, boundary samples counted as neighbours, so
   /// that layers at walls, floor and hulls are not taken), or where it lies within `halo` spacings of one that is.
+  /// All oil is taken, at any depth: there is little of it, and it is seen through the water.
   /// Drops, threads and sheets one particle thin, whose neighbours may surround them evenly, are taken by their number.
   void detect(const SurfaceInput& input, TaskPool& pool);
 
@@ -68,7 +70,7 @@ class SurfaceExtractor {
   SurfaceSettings settings_;
   SurfaceScales scales_;
   AnisotropySettings anisotropy_;
-  std::vector<std::uint8_t> mark_;  ///< per particle: 0 inside, 1 surface, 2 halo, 3 not finite
+  std::vector<std::uint8_t> mark_;  ///< per particle: inside, surface, halo, oil, not finite
   std::vector<std::uint32_t> indices_;
   SurfaceCounts counts_;
   struct Foam {

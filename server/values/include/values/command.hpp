@@ -5,13 +5,16 @@
 #include <string>
 #include <variant>
 
+#include "values/current.hpp"
 #include "values/effort.hpp"
+#include "values/spill.hpp"
 #include "values/wind.hpp"
 
 namespace pelagos {
 
 // What an instructor, or the server's own governor, may ask of a running simulation. Commands are applied at step
-// boundaries, in the order of arrival, and logged with the step at which they took effect.
+// boundaries, in the order of arrival, and logged with the step at which they took effect. docs/architecture.md lists
+// what a new one needs.
 
 /// Replace the wind; from the present wind linearly over `ramp_seconds` (0: at once).
 struct SetWind {
@@ -20,6 +23,13 @@ struct SetWind {
 };
 /// No wind from now on (and no cost for it).
 struct ClearWind {};
+/// Replace the current; its velocity changes from the present one linearly over `ramp_seconds` (0: at once).
+struct SetCurrent {
+  CurrentSettings current;
+  double ramp_seconds = 0.0;
+};
+/// No current from now on: water that moves with it is slowed down.
+struct ClearCurrent {};
 struct PauseSimulation {};
 struct ResumeSimulation {};
 /// While paused: advance by so many time steps.
@@ -33,15 +43,33 @@ struct SetEffort {
   std::string reason;  ///< for the event
 };
 
-using Command = std::variant<SetWind, ClearWind, PauseSimulation, ResumeSimulation, StepSimulation, SetEffort>;
+/// What concerns oil; see values/spill.hpp.
+using OilCommand = std::variant<ReleaseOil, StopRelease, SpillOil, SetBoom, RemoveBoom, SetSkimmer, RemoveSkimmer>;
+
+using Command = std::variant<SetWind, ClearWind, SetCurrent, ClearCurrent, PauseSimulation, ResumeSimulation,
+                             StepSimulation, SetEffort, OilCommand>;
+
+/// A command that a scene gives at a time.
+struct SceneEvent {
+  double at = 0.0;  ///< s of simulated time, >= 0: it is applied at the first step boundary at or after this
+  Command command;
+};
+
+/// A command that waits for its time.
+struct ScheduledCommand {
+  std::uint64_t id = 0;  ///< 1, 2, ... in the order in which they were taken
+  double at = 0.0;       ///< s of simulated time
+  Command command;
+  std::string source;  ///< who gave it
+};
 
 /// What happened, for every station and for `event_v1`.
 struct Event {
   std::uint64_t sequence = 0;    ///< 1, 2, ... without gaps
   std::uint64_t step = 0;        ///< time step before which it took effect
   double simulation_time = 0.0;  ///< s
-  std::string kind;    ///< "wind", "pause", "resume", "step", "pose_stale", "pose_fresh", "governor", "numerical_fault"
-  std::string source;  ///< who caused it, e.g. "station 127.0.0.1:40112", "scene", "server"
+  std::string kind;    ///< "wind", "current", "pause", "schedule", "pose_stale", "governor", "numerical_fault", ...
+  std::string source;  ///< who caused it, e.g. "station 127.0.0.1:40112", "scene event 2", "server"
   std::string text;    ///< one line for people
 };
 

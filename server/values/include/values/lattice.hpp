@@ -25,15 +25,18 @@ namespace pelagos {
   return counts;
 }
 
-/// Particles that the blocks of a scene make, before any that would stand inside a body are taken out. A double, so
-/// that no scene overflows it; exact up to 2^53.
+/// Particles that the blocks of a scene make, of water and of oil, before any that would stand inside a body are taken
+/// out. A double, so that no scene overflows it; exact up to 2^53.
 [[nodiscard]] inline double particle_count(const Box& block, double spacing, const TankEdges& edges = kWalledTank) {
   const auto counts = lattice_counts(block, spacing, edges);
   return static_cast<double>(counts[0]) * static_cast<double>(counts[1]) * static_cast<double>(counts[2]);
 }
 [[nodiscard]] inline double particle_count(const Scene& scene) {
   double total = 0.0;
-  for (const Box& block : scene.water.blocks) total += particle_count(block, scene.particle_spacing, scene.tank_edges);
+  const auto add = [&](const Box& block) { total += particle_count(block, scene.particle_spacing, scene.tank_edges); };
+  for (const Box& block : scene.water.blocks) add(block);
+  if (scene.oil)
+    for (const Box& block : scene.oil->blocks) add(block);
   return total;
 }
 

@@ -9,6 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "values/command.hpp"
+#include "values/current.hpp"
+#include "values/oil.hpp"
 #include "values/wind.hpp"
 
 namespace pelagos {
@@ -112,6 +115,24 @@ struct FluidSettings {
   int settle_steps = 0;               ///< position-only relaxation steps before time zero
 };
 
+/// What a scene's oil is made of.
+enum class OilModel {
+  kParticles,  ///< a second phase of particles: thick oil, its weight and its breaking up
+  kSlick,      ///< a film on the water: thin oil, at hardly any cost; no particle is oil
+  kBoth,       ///< both, and oil goes from one to the other by its thickness
+};
+
+/// The second liquid: one oil a scene.
+struct OilSettings {
+  OilProperties properties;
+  std::vector<Box> blocks{};  ///< full of oil at the start; may be none
+  OilModel model = OilModel::kParticles;
+  std::uint32_t most_particles = 0;  ///< of oil; sources bring no more. 0: a quarter of the particles at the start
+  double water_temperature = 15.0;   ///< degrees C
+  bool evaporation = false;
+  bool emulsification = false;
+};
+
 enum class BodyDrive {
   kStatic,  ///< stays where the scene puts it
   kPose,    ///< follows poses received from outside; holds its first pose until one arrives
@@ -159,11 +180,14 @@ struct Scene {
   TankEdges tank_edges = kWalledTank;
   bool tank_walls_visible = false;
   FluidSettings water;
+  std::optional<OilSettings> oil;
   SolverSettings solver;
   TimeStepSettings time_step;
   GovernorSettings governor;
   FaultPolicy on_fault = FaultPolicy::kStop;
   std::optional<WindSettings> wind;
+  std::optional<CurrentSettings> current;  ///< that the water starts with, along periodic axes
+  std::vector<SceneEvent> events;          ///< in the order of the file
   std::vector<BodySettings> bodies;
   FarSeaSettings far_sea;
   GeodeticOrigin origin;

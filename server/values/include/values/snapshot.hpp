@@ -2,13 +2,22 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "packing/surface_particle.hpp"
 #include "values/body.hpp"
+#include "values/oil_budget.hpp"
+#include "values/slick.hpp"
 #include "values/status.hpp"
 
 namespace pelagos {
+
+/// The oil of a frame.
+struct OilSnapshot {
+  OilBudget budget;
+  std::vector<SlickDisc> discs;
+};
 
 /// One frame, as the physics thread hands it to the publisher. Owned by one thread at a time.
 struct Snapshot {
@@ -19,6 +28,7 @@ struct Snapshot {
   std::uint32_t total_particles = 0;  ///< in the simulation; the difference to particles.size() was left out
   std::vector<SurfaceParticle> particles;
   std::vector<BodyState> bodies;
+  std::optional<OilSnapshot> oil;  ///< nothing in a scene without
   ServerStatus status;
 };
 

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "values/body.hpp"
+#include "values/current.hpp"
 #include "values/effort.hpp"
+#include "values/oil_budget.hpp"
 #include "values/wind.hpp"
 
 namespace pelagos {
@@ -41,8 +44,12 @@ struct ServerStatus {
   Effort effort;                 ///< that holds now: the scene's own, or the governor's
   bool governed = false;         ///< whether a governor may change it
   bool over_budget = false;      ///< the governor is at its bounds and a frame still takes longer than its budget
-  std::optional<WindSettings> wind;  ///< as blowing now (mean, mid-ramp values included)
+  std::optional<WindSettings> wind;               ///< as blowing now (mean, mid-ramp values included)
+  std::optional<CurrentSettings> current;         ///< as running now (mid-ramp velocity included)
+  std::array<bool, 2> moves_water{false, false};  ///< for x, y: whether the water itself moves with a current
+  std::uint32_t scheduled = 0;                    ///< commands that wait for their time
   std::vector<BodyState> bodies;
+  std::optional<OilBudget> oil;  ///< nothing in a scene without
 };
 
 }  // namespace pelagos

@@ -75,6 +75,20 @@ class OceanFrameSample {
   pelagos_OceanFrameV1 sample_{};
 };
 
+/// The oil of a frame; it lends the strings of `oil`, which must outlive the sample.
+class OilSample {
+ public:
+  OilSample(const Snapshot& snapshot, const OilSnapshot& oil, std::uint64_t source);
+  [[nodiscard]] const pelagos_SlickV1& slick() const { return slick_; }
+  [[nodiscard]] const pelagos_OilBudgetV1& budget() const { return budget_; }
+
+ private:
+  std::vector<pelagos_SlickElementV1> elements_;
+  std::vector<pelagos_SkimmerV1> skimmers_;
+  pelagos_SlickV1 slick_{};
+  pelagos_OilBudgetV1 budget_{};
+};
+
 /// Why a frame is refused, or null if everything in it is plausible and the payload holds `count` whole records.
 [[nodiscard]] const char* find_fault(const pelagos_OceanFrameV1& frame);
 /// The same for the rest of what a viewer computes with.

@@ -11,6 +11,8 @@ namespace pelagos::topics {
 [[nodiscard]] TopicSpec status_v1();
 [[nodiscard]] TopicSpec status();
 [[nodiscard]] TopicSpec wind();
+[[nodiscard]] TopicSpec slick();
+[[nodiscard]] TopicSpec oil_budget();
 [[nodiscard]] TopicSpec event();
 [[nodiscard]] TopicSpec own_ship_pose();
 [[nodiscard]] TopicSpec body_pose();

@@ -49,6 +49,8 @@ class FieldReader {
               const google::protobuf::TextFormat::ParseInfoTree* locations = nullptr, int line = 0);
 
   [[nodiscard]] bool has(const char* name) const;
+  /// The field that is set of a oneof; empty if none is.
+  [[nodiscard]] std::string which(const char* oneof) const;
 
   // Each returns whether the field is present and valid.
   bool read(const char* name, const Range& range, double& value) const;

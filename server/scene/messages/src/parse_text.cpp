@@ -1,5 +1,6 @@
-#include "parse_text.hpp"
+#include "messages/parse_text.hpp"
 
+#include <google/protobuf/descriptor.h>
 #include <google/protobuf/io/tokenizer.h>
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 
@@ -12,6 +13,7 @@ namespace {
 
 using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
+using google::protobuf::FileDescriptor;
 using google::protobuf::io::ArrayInputStream;
 using google::protobuf::io::Tokenizer;
 
@@ -46,12 +48,12 @@ class IgnoreErrors : public google::protobuf::io::ErrorCollector {
 /// Walks the tokens of a text once, keeping track of which message each stands in.
 class NestingScan {
  public:
-  NestingScan(std::string_view text)
+  NestingScan(std::string_view text, const Descriptor* message)
       : stream_(text.data(), static_cast<int>(text.size())), tokenizer_(&stream_, &ignore_) {
     tokenizer_.set_comment_style(Tokenizer::SH_COMMENT_STYLE);
     tokenizer_.set_allow_f_after_float(true);
     tokenizer_.set_require_space_after_number(false);
-    levels_.push_back({"", proto::v1::Scene::descriptor(), {}, ""});
+    levels_.push_back({"", message, {}, ""});
   }
 
   bool next() { return tokenizer_.Next(); }
@@ -103,8 +105,8 @@ class NestingScan {
   int open_lists_ = 0;
 };
 
-std::optional<FieldFault> check_nesting(std::string_view text) {
-  NestingScan scan(text);
+std::optional<FieldFault> check_nesting(std::string_view text, const Descriptor* message) {
+  NestingScan scan(text, message);
   while (scan.next()) {
     if (scan.depth() > kDeepestNesting) {
       return FieldFault{scan.token().line + 1, scan.token().column + 1, "",
@@ -127,9 +129,10 @@ std::string describe_unknown(const std::string& name, const Descriptor* message)
                          : "unknown field; did you mean \"" + nearest + "\"? allowed here: " + list;
 }
 
-FieldFaults place_unknown_fields(std::string_view text, const std::map<Collector::Place, std::string>& unknown) {
+FieldFaults place_unknown_fields(std::string_view text, const Descriptor* message,
+                                 const std::map<Collector::Place, std::string>& unknown) {
   FieldFaults faults;
-  NestingScan scan(text);
+  NestingScan scan(text, message);
   bool more = true;
   while (more) {
     more = scan.next();  // the last token, at the end of the text, may follow a name too
@@ -150,34 +153,39 @@ std::string upper_case(std::string text) {
   return text;
 }
 
+/// Adds the values of every enum field of that name in a file and in those that it imports.
+void collect_values(const FileDescriptor& file, const std::string& field_name, std::vector<std::string>& values) {
+  for (int m = 0; m < file.message_type_count(); ++m) {
+    const auto* field = file.message_type(m)->FindFieldByName(field_name);
+    if (field == nullptr || field->enum_type() == nullptr) continue;
+    for (int v = 1; v < field->enum_type()->value_count(); ++v) values.push_back(field->enum_type()->value(v)->name());
+  }
+  for (int i = 0; i < file.dependency_count(); ++i)
+    if (values.empty()) collect_values(*file.dependency(i), field_name, values);
+}
+
 /// The parser names the enum's field but not what it may hold.
-std::string explain(const std::string& message) {
+std::string explain(const std::string& message, const FileDescriptor& file) {
   if (message.rfind("Unknown enumeration value", 0) != 0) return message;
-  std::string list;
-  std::vector<std::string> known;
-  const auto* file = proto::v1::Scene::descriptor()->file();
   const std::size_t last = message.rfind('"');
   const std::size_t first = message.rfind('"', last - 1);
   const std::string name = message.substr(first + 1, last - first - 1);
   const std::size_t begin = message.find('"'), end = message.find('"', begin + 1);
   const std::string given = upper_case(message.substr(begin + 1, end - begin - 1));
-  for (int m = 0; m < file->message_type_count(); ++m) {
-    const auto* field = file->message_type(m)->FindFieldByName(name);
-    if (field == nullptr || field->enum_type() == nullptr) continue;
-    for (int v = 1; v < field->enum_type()->value_count(); ++v) {
-      known.push_back(field->enum_type()->value(v)->name());
-      list += (list.empty() ? "" : ", ") + known.back();
-    }
-  }
+  std::vector<std::string> known;
+  collect_values(file, name, known);
   if (known.empty()) return message;
+  std::string list;
+  for (const std::string& value : known) list += (list.empty() ? "" : ", ") + value;
   const std::string nearest = nearest_name(given, known);
   return message + (nearest.empty() ? "" : " Did you mean " + nearest + "?") + " Allowed: " + list + ".";
 }
 
 }  // namespace
 
-void parse_scene_text(std::string_view text, ParsedText& out) {
-  if (const auto too_deep = check_nesting(text)) {
+void parse_text(std::string_view text, google::protobuf::Message& message, ParsedText& out) {
+  const Descriptor* descriptor = message.GetDescriptor();
+  if (const auto too_deep = check_nesting(text, descriptor)) {
     out.readable = false;
     out.faults = {*too_deep};
     return;
@@ -189,14 +197,14 @@ void parse_scene_text(std::string_view text, ParsedText& out) {
   parser.AllowUnknownField(true);
   parser.SetRecursionLimit(kDeepestNesting);
   ArrayInputStream stream(text.data(), static_cast<int>(text.size()));
-  if (!parser.Parse(&stream, &out.message) || collector.error) {
+  if (!parser.Parse(&stream, &message) || collector.error) {
     out.readable = false;
-    FieldFault fault = collector.error.value_or(FieldFault{1, 1, "", "not a scene in Protobuf text format"});
-    fault.what = explain(fault.what);
+    FieldFault fault = collector.error.value_or(FieldFault{1, 1, "", "not a message in Protobuf text format"});
+    fault.what = explain(fault.what, *descriptor->file());
     out.faults = {fault};
     return;
   }
-  out.faults = place_unknown_fields(text, collector.unknown);
+  out.faults = place_unknown_fields(text, descriptor, collector.unknown);
 }
 
 }  // namespace pelagos

@@ -1,0 +1,92 @@
+#include "describe_command.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace pelagos {
+
+namespace {
+
+struct OilDescriber {
+  std::string operator()(const ReleaseOil& c) const {
+    const bool line = (c.to - c.from).norm() > 0.0;
+    std::string text = fmt::format("source \"{}\": {:g} m^3/h at {}", c.name, c.rate, place(c.from));
+    if (line) text += " to " + place(c.to);
+    if (c.body != 0) text += fmt::format(" of body {}", c.body);
+    return text + (std::isfinite(c.duration) ? fmt::format(" for {:g} s", c.duration) : " until it is stopped");
+  }
+  std::string operator()(const StopRelease& c) const { return "source \"" + c.name + "\" stopped"; }
+  std::string operator()(const SpillOil& c) const {
+    return fmt::format("{:g} m^3 of oil at ({:g}, {:g}) m, radius {:g} m", c.volume, c.position.x(), c.position.y(),
+                       c.radius);
+  }
+  std::string operator()(const SetBoom& c) const {
+    return fmt::format("boom \"{}\" of {} points, draft {:g} m, leaks above {:g} m/s", c.name, c.line.size(), c.draft,
+                       c.critical_speed);
+  }
+  std::string operator()(const RemoveBoom& c) const { return "boom \"" + c.name + "\" removed"; }
+  std::string operator()(const SetSkimmer& c) const {
+    return fmt::format("skimmer \"{}\" at ({:g}, {:g}) m, radius {:g} m, {:g} m^3/h", c.name, c.position.x(),
+                       c.position.y(), c.radius, c.rate);
+  }
+  std::string operator()(const RemoveSkimmer& c) const { return "skimmer \"" + c.name + "\" removed"; }
+
+  static std::string place(const Eigen::Vector3d& p) {
+    return fmt::format("({:g}, {:g}, {:g}) m", p.x(), p.y(), p.z());
+  }
+};
+
+struct Describer {
+  CommandNews operator()(const SetWind& c) const {
+    return {"wind", fmt::format("wind {:.1f} m/s from {:.0f} deg, gusts {:.1f} m/s, over {:.1f} s{}{}",
+                                c.wind.velocity.head<2>().norm(), wind_from_deg(c.wind.velocity), c.wind.amplitude,
+                                c.ramp_seconds, pulse(c.wind), law(c.wind))};
+  }
+  CommandNews operator()(const ClearWind&) const { return {"wind", "no wind"}; }
+  CommandNews operator()(const SetCurrent& c) const {
+    return {"current", fmt::format("current {:.2f} m/s to {:.0f} deg{}, over {:.1f} s", c.current.velocity.norm(),
+                                   current_to_deg(c.current.velocity), shear(c.current), c.ramp_seconds)};
+  }
+  CommandNews operator()(const ClearCurrent&) const { return {"current", "no current"}; }
+  CommandNews operator()(const PauseSimulation&) const { return {"pause", "paused"}; }
+  CommandNews operator()(const ResumeSimulation&) const { return {"resume", "resumed"}; }
+  CommandNews operator()(const StepSimulation& c) const { return {"step", fmt::format("single steps: {}", c.steps)}; }
+  /// With every digit, so that a run can be replayed from its events.
+  CommandNews operator()(const SetEffort& c) const {
+    const Effort& e = c.effort;
+    return {"governor", fmt::format("{}: steps up to {:.2f} ms, tolerances {:.2g} and {:.2g} (exactly {}, {} and {})",
+                                    c.reason, e.max_step * 1e3, e.density_tolerance, e.divergence_tolerance, e.max_step,
+                                    e.density_tolerance, e.divergence_tolerance)};
+  }
+
+  CommandNews operator()(const OilCommand& c) const { return {"oil", std::visit(OilDescriber{}, c)}; }
+
+  static std::string pulse(const WindSettings& wind) {
+    if (!wind.pulse) return "";
+    const char* unit = wind.law == WindLaw::kPaper ? "steps" : "s";
+    return fmt::format(", blowing {:g} {} of every {:g} {}", wind.pulse->width, unit, wind.pulse->period, unit) +
+           (never_closes(*wind.pulse) ? " (never stops)" : "");
+  }
+  static std::string law(const WindSettings& wind) {
+    if (wind.law == WindLaw::kStress) return ", law stress";
+    return wind.law == WindLaw::kPaper ? ", law paper (its push depends on the time step)" : "";
+  }
+  static std::string shear(const CurrentSettings& current) {
+    switch (current.shear) {
+      case CurrentShear::kLinear:
+        return fmt::format(", falling linearly to nothing {:g} m down", current.depth);
+      case CurrentShear::kSeventhPower:
+        return fmt::format(", falling by a 1/7 power to nothing {:g} m down", current.depth);
+      case CurrentShear::kNone:
+        break;
+    }
+    return "";
+  }
+};
+
+}  // namespace
+
+CommandNews describe_command(const Command& command) { return std::visit(Describer{}, command); }
+
+}  // namespace pelagos

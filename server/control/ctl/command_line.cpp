@@ -1,0 +1,223 @@
+#include "command_line.hpp"
+
+#include "messages/parse_text.hpp"
+#include "version/version.hpp"
+
+namespace pelagos {
+namespace {
+
+using proto::v1::Request;
+using proto::v1::TimedCommand;
+
+constexpr const char* kExamples = R"(Examples:
+  pelagos-ctl status                                   how the server is doing
+  pelagos-ctl status --json                            the same for machines
+  pelagos-ctl wind --speed 12 --from 270               12 m/s from the west, at once
+  pelagos-ctl wind --beaufort 7 --from 200 --ramp 10   rising to force 7 within 10 s
+  pelagos-ctl wind --from 290                          the wind veers, all else stays
+  pelagos-ctl wind --period 8 --width 3                blows 3 s of every 8 s
+  pelagos-ctl wind --off --at 600                      calm, 600 s into the simulation
+  pelagos-ctl current --speed 1.5 --to 90 --ramp 60    1.5 m/s, setting to the east
+  pelagos-ctl schedule; pelagos-ctl cancel 3           what waits for its time; not that
+  pelagos-ctl pause; pelagos-ctl step 10; pelagos-ctl resume
+  pelagos-ctl events --count 5                         the next five events
+  pelagos-ctl --server 192.168.1.20:7410 status
+
+Exit status: 0 done; 1 refused or not reachable; 2 wrong command line.)";
+
+bool given(const CLI::App& command, const char* option) { return command.count(option) > 0; }
+
+void fill_vector(const std::vector<double>& from, proto::v1::Vector& to) {
+  to.set_x(from.at(0));
+  to.set_y(from.at(1));
+  if (from.size() > 2) to.set_z(from.at(2));
+}
+
+void fill_wind(const CommandLine& line, proto::v1::SetWind& set) {
+  const CLI::App& wind = *line.wind;
+  const WindOptions& w = line.options.wind;
+  proto::v1::Wind& out = *set.mutable_wind();
+  if (given(wind, "--speed")) out.set_speed(w.speed);
+  if (given(wind, "--beaufort")) out.set_beaufort(w.beaufort);
+  if (given(wind, "--from")) out.set_from_deg(w.from);
+  if (given(wind, "--velocity")) fill_vector(w.velocity, *out.mutable_velocity());
+  if (given(wind, "--amplitude")) out.set_amplitude(w.amplitude);
+  if (given(wind, "--length")) out.set_length(w.length);
+  if (given(wind, "--beta")) out.set_beta(w.beta);
+  if (given(wind, "--law"))
+    out.set_law(w.law == "gust"     ? proto::v1::Wind::GUST
+                : w.law == "stress" ? proto::v1::Wind::STRESS
+                                    : proto::v1::Wind::PAPER);
+  if (given(wind, "--roughness")) out.set_roughness(w.roughness);
+  if (given(wind, "--period")) {
+    out.mutable_pulse()->set_period(w.period);
+    out.mutable_pulse()->set_width(w.width);
+  }
+  if (given(wind, "--ramp")) set.set_ramp(w.ramp);
+  if (w.no_pulse) set.set_clear_pulse(true);
+}
+
+void fill_current(const CommandLine& line, proto::v1::SetCurrent& set) {
+  const CLI::App& current = *line.current;
+  const CurrentOptions& c = line.options.current;
+  proto::v1::Current& out = *set.mutable_current();
+  if (given(current, "--speed")) out.set_speed(c.speed);
+  if (given(current, "--to")) out.set_to_deg(c.to);
+  if (given(current, "--velocity")) fill_vector(c.velocity, *out.mutable_velocity());
+  if (c.shear == "linear") out.set_shear(proto::v1::Current::LINEAR);
+  if (c.shear == "power") out.set_shear(proto::v1::Current::SEVENTH_POWER);
+  if (given(current, "--depth")) out.set_depth(c.depth);
+  if (given(current, "--relaxation")) out.set_relaxation(c.relaxation);
+  if (given(current, "--ramp")) set.set_ramp(c.ramp);
+}
+
+std::string read_command_text(const std::string& text, TimedCommand& command) {
+  ParsedText parsed;
+  parse_text(text, command, parsed);
+  if (parsed.faults.empty()) return "";
+  const FieldFault& fault = parsed.faults.front();
+  return "command: " + (fault.field.empty() ? "" : fault.field + ": ") + fault.what;
+}
+
+/// A command without a time goes in its own field where it has one: servers before `command` know it there.
+void put(TimedCommand&& command, Request& request) {
+  if (command.has_at()) {
+    *request.mutable_command() = std::move(command);
+  } else if (command.has_set_wind()) {
+    *request.mutable_set_wind() = std::move(*command.mutable_set_wind());
+  } else if (command.has_clear_wind()) {
+    request.mutable_clear_wind();
+  } else if (command.has_pause()) {
+    request.mutable_pause();
+  } else {
+    *request.mutable_command() = std::move(command);
+  }
+}
+
+/// --off or a time stands alone; everything else says what to change.
+std::string fault_of_change(const CLI::App& command, bool off, const char* example) {
+  std::size_t options = 0;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() > 0 && option->get_name() != "--at") ++options;
+  }
+  const std::string name = command.get_name(), help = "; see pelagos-ctl " + name + " --help";
+  if (options == 0) return name + ": say what to change, e.g. " + example + ", or --off" + help;
+  if (off && options > 1) return name + ": --off stands alone" + help;
+  return "";
+}
+
+}  // namespace
+
+CommandLine::CommandLine() {
+  add_general_options();
+  add_commands();
+  add_wind_options();
+  add_current_options();
+  for (CLI::App* timed : {wind, current, pause, command})
+    timed->add_option("--at", options.at, "Not now but at this simulated time, s");
+}
+
+void CommandLine::add_general_options() {
+  app.name("pelagos-ctl");
+  app.fallthrough();  // --json and --server may stand after the command too
+  app.require_subcommand(1);
+  app.footer(kExamples);
+  app.set_version_flag("--version", std::string("pelagos-ctl ") + kVersion);
+  app.add_option("--server", options.server, "Where the server listens, HOST:PORT")
+      ->envname("PELAGOS_SERVER")
+      ->capture_default_str();
+  app.add_option("--timeout", options.timeout, "Longest wait for an answer, s")
+      ->check(CLI::Range(0.05, 3600.0))
+      ->capture_default_str();
+  app.add_flag("--json", options.json, "Print JSON, one object a line");
+}
+
+void CommandLine::add_commands() {
+  status = app.add_subcommand("status", "Print how the server is doing");
+  wind = app.add_subcommand("wind", "Change the wind; what is not given stays as it is");
+  current = app.add_subcommand("current", "Set the current");
+  pause = app.add_subcommand("pause", "Stop simulated time");
+  resume = app.add_subcommand("resume", "Let simulated time go on");
+  step = app.add_subcommand("step", "While paused, advance by some time steps");
+  command = app.add_subcommand("command", "Give any command, written as in an event of a scene");
+  schedule = app.add_subcommand("schedule", "Print the commands that wait for their time");
+  cancel = app.add_subcommand("cancel", "Take a command that waits out of the schedule");
+  events = app.add_subcommand("events", "Print events as they happen");
+  step->add_option("steps", options.steps, "How many (1 to 10000)")->capture_default_str();
+  command->add_option("text", options.command, "e.g. 'set_current { current { speed: 1 to_deg: 90 } ramp: 30 }'")
+      ->required();
+  cancel->add_option("id", options.cancelled, "Its number in the schedule")->required();
+  events->add_option("--count", options.event_count, "Stop after so many")->check(CLI::Range(1.0, 1e15));
+  events->add_option("--duration", options.event_duration, "Stop after so many seconds")->check(CLI::Range(0.01, 1e9));
+}
+
+void CommandLine::add_wind_options() {
+  WindOptions& w = options.wind;
+  CLI::Option* speed = wind->add_option("--speed", w.speed, "Mean speed at 10 m, m/s (0 to 75)");
+  CLI::Option* beaufort = wind->add_option("--beaufort", w.beaufort, "Mean speed by Beaufort number (0 to 12)");
+  CLI::Option* velocity =
+      wind->add_option("--velocity", w.velocity, "Mean as a vector X Y Z TOWARDS which the air moves, m/s")
+          ->expected(3);
+  speed->excludes(beaufort)->excludes(velocity);
+  beaufort->excludes(velocity);
+  wind->add_option("--from", w.from, "Direction it blows FROM, degrees clockwise from north (0 to 360)")
+      ->excludes(velocity);
+  wind->add_option("--ramp", w.ramp, "Change over so many seconds of simulated time (0 to 3600)");
+  wind->add_option("--amplitude", w.amplitude, "Largest gust of each component, m/s (0 to 30)");
+  wind->add_option("--length", w.length, "Size of the gusts, m (0.01 to 10000)");
+  wind->add_option("--beta", w.beta, "Control factor of the push (0 to 100)");
+  wind->add_option("--law", w.law, "How it pushes the water: gust, stress or paper")
+      ->check(CLI::IsMember({"gust", "stress", "paper"}));
+  wind->add_option("--roughness", w.roughness, "Roughness of the log profile above the sea, m (1e-6 to 5)");
+  CLI::Option* period = wind->add_option("--period", w.period, "Pulse: period, s");
+  CLI::Option* width = wind->add_option("--width", w.width, "Pulse: how long it blows of each period, s");
+  period->needs(width);
+  width->needs(period);
+  wind->add_flag("--no-pulse", w.no_pulse, "Blow all the time")->excludes(period)->excludes(width);
+  wind->add_flag("--off", w.off, "No wind");
+}
+
+void CommandLine::add_current_options() {
+  CurrentOptions& c = options.current;
+  CLI::Option* speed = current->add_option("--speed", c.speed, "At the surface, m/s (0 to 5)");
+  CLI::Option* to = current->add_option("--to", c.to, "Direction it sets TOWARDS, degrees clockwise from north");
+  current->add_option("--velocity", c.velocity, "As a vector X Y, m/s")->expected(2)->excludes(speed)->excludes(to);
+  current->add_option("--ramp", c.ramp, "Change over so many seconds of simulated time (0 to 3600)");
+  current->add_option("--shear", c.shear, "How it falls with depth: none, linear or power (1/7)")
+      ->check(CLI::IsMember({"none", "linear", "power"}));
+  current->add_option("--depth", c.depth, "Where it has fallen to zero, m under the mean level");
+  current->add_option("--relaxation", c.relaxation, "Time in which the water follows, s (0.5 to 3600)");
+  current->add_flag("--off", c.off, "No current");
+}
+
+std::string usage_fault(const CommandLine& line) {
+  if (line.wind->parsed()) return fault_of_change(*line.wind, line.options.wind.off, "--speed 12 --from 270");
+  if (line.current->parsed()) return fault_of_change(*line.current, line.options.current.off, "--speed 1 --to 90");
+  return "";
+}
+
+RequestResult to_request(const CommandLine& line) {
+  const CtlOptions& options = line.options;
+  RequestResult result;
+  Request& request = result.request;
+  if (line.status->parsed()) request.mutable_get_status();
+  if (line.resume->parsed()) request.mutable_resume();
+  if (line.step->parsed()) request.mutable_step()->set_steps(options.steps);
+  if (line.schedule->parsed()) request.mutable_get_schedule();
+  if (line.cancel->parsed()) request.mutable_cancel_scheduled()->set_id(options.cancelled);
+
+  TimedCommand command;
+  if (line.pause->parsed()) command.mutable_pause();
+  if (line.wind->parsed() && options.wind.off) command.mutable_clear_wind();
+  if (line.wind->parsed() && !options.wind.off) fill_wind(line, *command.mutable_set_wind());
+  if (line.current->parsed() && options.current.off) command.mutable_clear_current();
+  if (line.current->parsed() && !options.current.off) fill_current(line, *command.mutable_set_current());
+  if (line.command->parsed()) result.fault = read_command_text(options.command, command);
+  for (const CLI::App* timed : {line.wind, line.current, line.pause, line.command})
+    if (timed->parsed() && given(*timed, "--at")) command.set_at(options.at);
+  if (command.command_case() != TimedCommand::COMMAND_NOT_SET || line.command->parsed())
+    put(std::move(command), request);
+  return result;
+}
+
+}  // namespace pelagos

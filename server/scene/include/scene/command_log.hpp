@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "values/command.hpp"
+
+namespace pelagos {
+
+/// What a command log is about; its first lines.
+struct CommandLogHeader {
+  std::string version;          ///< of the server that wrote it
+  std::string instruction_set;  ///< of its physics
+  std::string scene;            ///< name
+  std::uint64_t seed = 0;
+  std::uint64_t particles = 0;
+};
+
+/// A command as it was applied.
+struct LoggedCommand {
+  std::uint64_t before_step = 0;  ///< steps made before it
+  double time = 0.0;              ///< s, simulated, for people
+  std::string source;
+  Command command;
+};
+
+/// How a logged run ended.
+struct CommandLogEnd {
+  std::uint64_t step = 0;        ///< steps made in all
+  std::uint64_t state_hash = 0;  ///< of the water after the last one, see physics/fluid.hpp
+};
+
+struct CommandLog {
+  CommandLogHeader header;
+  std::vector<LoggedCommand> commands;  ///< as applied: steps never decrease
+  std::optional<CommandLogEnd> end;     ///< nothing: the run was cut off
+};
+
+struct CommandLogResult {
+  std::optional<CommandLog> log;
+  std::vector<std::string> faults;  ///< as of SceneResult
+};
+
+/// Reads a command log (Protobuf text format of `CommandLog` in proto/commands.proto, at most 64 MiB). Never throws for
+/// what it holds.
+[[nodiscard]] CommandLogResult read_command_log_file(const std::filesystem::path& path);
+[[nodiscard]] CommandLogResult read_command_log_text(std::string_view text, const std::string& source_name);
+
+/// Writes a command log line by line, each on its way to the disk at once: whatever was written is a log that can be
+/// read, should the program be killed.
+class CommandLogWriter {
+ public:
+  /// @param file  an existing one is replaced. What failed is told by `failed`.
+  CommandLogWriter(const std::string& file, const CommandLogHeader& header);
+
+  void write(const LoggedCommand& command);
+  void write(const CommandLogEnd& end);
+  /// Whether anything could not be written.
+  [[nodiscard]] bool failed() const { return !out_; }
+  [[nodiscard]] const std::string& file() const { return file_; }
+
+ private:
+  std::string file_;
+  std::ofstream out_;
+};
+
+}  // namespace pelagos

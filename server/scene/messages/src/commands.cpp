@@ -1,0 +1,186 @@
+#include "messages/commands.hpp"
+
+#include <array>
+#include <string_view>
+
+#include "commands.pb.h"
+#include "messages/enums_out.hpp"
+#include "messages/read_current.hpp"
+#include "messages/read_wind.hpp"
+#include "oil_commands.hpp"
+
+namespace pelagos {
+namespace {
+
+constexpr Range kRampRange{0.0, 3600.0, "s"};
+
+void write_vector(const Eigen::Vector3d& from, proto::v1::Vector& to) {
+  to.set_x(from.x());
+  to.set_y(from.y());
+  to.set_z(from.z());
+}
+
+// ---- each command: out of its message, and back
+
+Command read_set_wind(const FieldReader& reader, const CommandBasis& given) {
+  SetWind command;
+  std::optional<WindSettings> basis = given.wind;
+  bool clear_pulse = false;
+  reader.read("clear_pulse", clear_pulse);
+  if (clear_pulse && basis) basis->pulse.reset();
+  const FieldReader wind = reader.child("wind");
+  if (clear_pulse && wind.has("pulse")) reader.fault("clear_pulse", "is true beside wind.pulse; allowed: one of them");
+  command.wind = read_wind(wind, basis);
+  reader.read("ramp", kRampRange, command.ramp_seconds);
+  return command;
+}
+
+void write(const SetWind& command, proto::v1::TimedCommand& message) {
+  proto::v1::SetWind& out = *message.mutable_set_wind();
+  proto::v1::Wind& wind = *out.mutable_wind();
+  write_vector(command.wind.velocity, *wind.mutable_velocity());
+  wind.set_amplitude(command.wind.amplitude);
+  wind.set_length(command.wind.length);
+  if (command.wind.law != WindLaw::kStress) wind.set_beta(command.wind.beta);
+  wind.set_law(law_of(command.wind.law));
+  wind.set_roughness(command.wind.roughness);
+  if (command.wind.pulse) {
+    wind.mutable_pulse()->set_period(command.wind.pulse->period);
+    wind.mutable_pulse()->set_width(command.wind.pulse->width);
+  } else {
+    out.set_clear_pulse(true);
+  }
+  out.set_ramp(command.ramp_seconds);
+}
+
+Command read_clear_wind(const FieldReader&, const CommandBasis&) { return ClearWind{}; }
+void write(const ClearWind&, proto::v1::TimedCommand& message) { message.mutable_clear_wind(); }
+
+Command read_set_current(const FieldReader& reader, const CommandBasis&) {
+  SetCurrent command;
+  reader.require("current");
+  if (reader.has("current")) command.current = read_current(reader.child("current"));
+  reader.read("ramp", kRampRange, command.ramp_seconds);
+  return command;
+}
+
+void write(const SetCurrent& command, proto::v1::TimedCommand& message) {
+  proto::v1::SetCurrent& out = *message.mutable_set_current();
+  proto::v1::Current& current = *out.mutable_current();
+  write_vector(command.current.velocity, *current.mutable_velocity());
+  current.set_shear(shear_of(command.current.shear));
+  if (command.current.shear != CurrentShear::kNone) current.set_depth(command.current.depth);
+  current.set_relaxation(command.current.relaxation);
+  out.set_ramp(command.ramp_seconds);
+}
+
+Command read_clear_current(const FieldReader&, const CommandBasis&) { return ClearCurrent{}; }
+void write(const ClearCurrent&, proto::v1::TimedCommand& message) { message.mutable_clear_current(); }
+
+Command read_pause(const FieldReader&, const CommandBasis&) { return PauseSimulation{}; }
+void write(const PauseSimulation&, proto::v1::TimedCommand& message) { message.mutable_pause(); }
+
+Command read_resume(const FieldReader&, const CommandBasis&) { return ResumeSimulation{}; }
+void write(const ResumeSimulation&, proto::v1::TimedCommand& message) { message.mutable_resume(); }
+
+Command read_step(const FieldReader& reader, const CommandBasis&) {
+  StepSimulation command;
+  reader.read("steps", {1.0, 10000.0}, command.steps);
+  return command;
+}
+
+void write(const StepSimulation& command, proto::v1::TimedCommand& message) {
+  message.mutable_step()->set_steps(command.steps);
+}
+
+Command read_set_effort(const FieldReader& reader, const CommandBasis&) {
+  SetEffort command;
+  for (const char* field : {"max_step", "density_tolerance", "divergence_tolerance"}) reader.require(field);
+  reader.read("max_step", {1e-6, 10.0, "s"}, command.effort.max_step);
+  reader.read("density_tolerance", {1e-6, 0.05}, command.effort.density_tolerance);
+  reader.read("divergence_tolerance", {1e-6, 0.05}, command.effort.divergence_tolerance);
+  reader.read("reason", 1000, command.reason);
+  return command;
+}
+
+void write(const SetEffort& command, proto::v1::TimedCommand& message) {
+  proto::v1::SetEffort& out = *message.mutable_set_effort();
+  out.set_max_step(command.effort.max_step);
+  out.set_density_tolerance(command.effort.density_tolerance);
+  out.set_divergence_tolerance(command.effort.divergence_tolerance);
+  if (!command.reason.empty()) out.set_reason(command.reason);
+}
+
+/// The commands that concern oil build on nothing.
+template <OilCommand (*read)(const FieldReader&)>
+Command read_oil(const FieldReader& reader, const CommandBasis&) {
+  return read(reader);
+}
+void write(const OilCommand& command, proto::v1::TimedCommand& message) { write_oil(command, message); }
+
+// ---- the commands by the field that holds them
+
+enum class Allowed { kEverywhere, kNotTimed, kLogOnly };
+
+struct CommandField {
+  std::string_view name;
+  Command (*read)(const FieldReader& reader, const CommandBasis& basis);
+  Allowed allowed = Allowed::kEverywhere;
+};
+
+/// The one list of them: what stands here can be given over the control link, in a scene and in a command log.
+constexpr std::array kCommandFields{
+    CommandField{"set_wind", read_set_wind},
+    CommandField{"clear_wind", read_clear_wind},
+    CommandField{"set_current", read_set_current},
+    CommandField{"clear_current", read_clear_current},
+    CommandField{"pause", read_pause},
+    CommandField{"release_oil", read_oil<read_release_oil>},
+    CommandField{"stop_release", read_oil<read_stop_release>},
+    CommandField{"spill_oil", read_oil<read_spill_oil>},
+    CommandField{"set_boom", read_oil<read_set_boom>},
+    CommandField{"remove_boom", read_oil<read_remove_boom>},
+    CommandField{"set_skimmer", read_oil<read_set_skimmer>},
+    CommandField{"remove_skimmer", read_oil<read_remove_skimmer>},
+    CommandField{"resume", read_resume, Allowed::kNotTimed},
+    CommandField{"step", read_step, Allowed::kNotTimed},
+    CommandField{"set_effort", read_set_effort, Allowed::kLogOnly},
+};
+
+const CommandField* find_field(const std::string& name) {
+  for (const CommandField& field : kCommandFields)
+    if (field.name == name) return &field;
+  return nullptr;
+}
+
+/// Whether it may stand there; a fault if not.
+bool check_place(const FieldReader& reader, const CommandField& field, CommandPlace place) {
+  const std::string name(field.name);
+  if (field.allowed == Allowed::kLogOnly && place != CommandPlace::kLog) {
+    reader.fault(name.c_str(), "is the server's own; allowed in command logs only");
+    return false;
+  }
+  if (field.allowed == Allowed::kNotTimed && place == CommandPlace::kTimed) {
+    reader.fault(name.c_str(), "needs a paused simulation, in which no time comes; allowed: without a time");
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool is_command(const std::string& field) { return find_field(field) != nullptr; }
+
+std::optional<Command> read_command(const FieldReader& reader, const char* oneof, CommandPlace place,
+                                    const CommandBasis& basis) {
+  const std::string name = reader.which(oneof);
+  const CommandField* field = find_field(name);
+  if (field == nullptr || !check_place(reader, *field, place)) return std::nullopt;
+  return field->read(reader.child(name.c_str()), basis);
+}
+
+void write_command(const Command& command, proto::v1::TimedCommand& message) {
+  std::visit([&](const auto& c) { write(c, message); }, command);
+}
+
+}  // namespace pelagos

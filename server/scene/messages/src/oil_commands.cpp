@@ -1,0 +1,129 @@
+#include "oil_commands.hpp"
+
+#include <cmath>
+
+#include "commands.pb.h"
+
+namespace pelagos {
+namespace {
+
+constexpr std::size_t kLongestName = 64;
+constexpr Range kPlaces{-1e6, 1e6, "m"};
+constexpr std::size_t kFewestPoints = 2, kMostPoints = 1000;
+
+std::string read_name(const FieldReader& reader) {
+  std::string name;
+  if (reader.require("name")) reader.read("name", kLongestName, name);
+  return name;
+}
+
+Eigen::Vector3d read_place(const FieldReader& reader, const char* field) {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  if (reader.require(field)) reader.read(field, kPlaces, place);
+  return place;
+}
+
+void write_place(const Eigen::Vector3d& from, proto::v1::Vector& to) {
+  to.set_x(from.x());
+  to.set_y(from.y());
+  to.set_z(from.z());
+}
+
+void write_place(const Eigen::Vector2d& from, proto::v1::Vector& to) {
+  to.set_x(from.x());
+  to.set_y(from.y());
+}
+
+struct Writer {
+  proto::v1::TimedCommand& message;
+
+  void operator()(const ReleaseOil& c) const {
+    proto::v1::ReleaseOil& out = *message.mutable_release_oil();
+    out.set_name(c.name);
+    write_place(c.from, *out.mutable_from());
+    write_place(c.to, *out.mutable_to());
+    if (c.body != 0) out.set_body(c.body);
+    out.set_rate(c.rate);
+    if (std::isfinite(c.duration)) out.set_duration(c.duration);
+  }
+  void operator()(const StopRelease& c) const { message.mutable_stop_release()->set_name(c.name); }
+  void operator()(const SpillOil& c) const {
+    proto::v1::SpillOil& out = *message.mutable_spill_oil();
+    write_place(c.position, *out.mutable_position());
+    out.set_volume(c.volume);
+    out.set_radius(c.radius);
+  }
+  void operator()(const SetBoom& c) const {
+    proto::v1::SetBoom& out = *message.mutable_set_boom();
+    out.set_name(c.name);
+    for (const Eigen::Vector2d& point : c.line) write_place(point, *out.add_point());
+    out.set_draft(c.draft);
+    out.set_critical_speed(c.critical_speed);
+  }
+  void operator()(const RemoveBoom& c) const { message.mutable_remove_boom()->set_name(c.name); }
+  void operator()(const SetSkimmer& c) const {
+    proto::v1::SetSkimmer& out = *message.mutable_set_skimmer();
+    out.set_name(c.name);
+    write_place(c.position, *out.mutable_position());
+    out.set_radius(c.radius);
+    out.set_rate(c.rate);
+  }
+  void operator()(const RemoveSkimmer& c) const { message.mutable_remove_skimmer()->set_name(c.name); }
+};
+
+}  // namespace
+
+OilCommand read_release_oil(const FieldReader& reader) {
+  ReleaseOil command;
+  command.name = read_name(reader);
+  command.from = read_place(reader, "from");
+  command.to = reader.has("to") ? read_place(reader, "to") : command.from;
+  reader.read("body", {1, 4294967295.0}, command.body);
+  if (reader.require("rate")) reader.read("rate", {1e-3, 1e6, "m^3/h"}, command.rate);
+  reader.read("duration", {0.1, 1e7, "s"}, command.duration);
+  return command;
+}
+
+OilCommand read_stop_release(const FieldReader& reader) { return StopRelease{read_name(reader)}; }
+
+OilCommand read_spill_oil(const FieldReader& reader) {
+  SpillOil command;
+  command.position = read_place(reader, "position").head<2>();
+  if (reader.require("volume")) reader.read("volume", {1e-6, 1e6, "m^3"}, command.volume);
+  reader.read("radius", {1e-3, 1e4, "m"}, command.radius);
+  return command;
+}
+
+OilCommand read_set_boom(const FieldReader& reader) {
+  SetBoom command;
+  command.name = read_name(reader);
+  for (const FieldReader& point : reader.children("point")) {
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    if (point.has("x")) point.read("x", kPlaces, place.x());
+    if (point.has("y")) point.read("y", kPlaces, place.y());
+    if (point.has("z")) point.read("z", kPlaces, place.z());  // means nothing, but has to be a number
+    command.line.push_back(place.head<2>());
+  }
+  if (command.line.size() < kFewestPoints || command.line.size() > kMostPoints)
+    reader.fault("point", "has " + std::to_string(command.line.size()) + " points; allowed: 2 to 1000");
+  reader.read("draft", {0.01, 20.0, "m"}, command.draft);
+  reader.read("critical_speed", {0.01, 10.0, "m/s"}, command.critical_speed);
+  return command;
+}
+
+OilCommand read_remove_boom(const FieldReader& reader) { return RemoveBoom{read_name(reader)}; }
+
+OilCommand read_set_skimmer(const FieldReader& reader) {
+  SetSkimmer command;
+  command.name = read_name(reader);
+  command.position = read_place(reader, "position").head<2>();
+  reader.read("radius", {0.01, 1000.0, "m"}, command.radius);
+  reader.read("rate", {0.0, 1e5, "m^3/h"}, command.rate);
+  return command;
+}
+
+OilCommand read_remove_skimmer(const FieldReader& reader) { return RemoveSkimmer{read_name(reader)}; }
+
+void write_oil(const OilCommand& command, proto::v1::TimedCommand& message) { std::visit(Writer{message}, command); }
+
+}  // namespace pelagos

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oil/slick_layer.hpp"
+#include "physics/fluid.hpp"
+#include "simulation/bodies.hpp"
+#include "simulation/surface_field.hpp"
+#include "values/current.hpp"
+#include "values/oil_budget.hpp"
+#include "values/scene.hpp"
+#include "values/slick.hpp"
+#include "values/spill.hpp"
+#include "wind/air.hpp"
+
+namespace pelagos {
+
+/// What the oil meets in a step.
+struct SpillSea {
+  const Bodies& bodies;
+  const Air* air = nullptr;          ///< null: no wind
+  const Current* current = nullptr;  ///< null: none
+  double time = 0.0;                 ///< s
+};
+
+/// The oil of a world: sources, the particle phase's part in it, the slick layer, and the ledger over both.
+///
+/// Oil comes and goes in the particle phase by turning particles of water into oil and back, where they are: at rest
+/// density, so no pressure jumps, and nothing is pushed aside. What is kept is volume, as in an open sea, whose level a
+/// spill does not raise: the water that made room is booked as displaced. Mass of oil is exact: a particle of oil is
+/// to_milligrams(rho_oil d^3).
+///
+/// With OilModel::kBoth an oil particle that lies at the surface with less than a layer of oil around it becomes film
+/// (a disc of its d^2), and film thicker than a particle becomes particles again. With kSlick there is no particle
+/// phase and every source feeds the film above it; with kParticles the film stays empty but the ledger is kept.
+class OilSpill {
+ public:
+  /// Counts the oil that the scene starts with. @param origin  m, world: local zero
+  OilSpill(const Scene& scene, const FluidState& fluid, const Eigen::Vector3d& origin, double water_level);
+
+  // Each returns why it is refused, or nothing.
+  [[nodiscard]] std::optional<std::string> apply(const ReleaseOil& command, const Bodies& hulls);
+  [[nodiscard]] std::optional<std::string> apply(const StopRelease& command);
+  [[nodiscard]] std::optional<std::string> apply(const SpillOil& command);
+  [[nodiscard]] std::optional<std::string> apply(const SetBoom& command);
+  [[nodiscard]] std::optional<std::string> apply(const RemoveBoom& command);
+  [[nodiscard]] std::optional<std::string> apply(const SetSkimmer& command);
+  [[nodiscard]] std::optional<std::string> apply(const RemoveSkimmer& command);
+
+  /// One step after the water's: sources, film, exchange. Changes phases of particles only.
+  void advance(double dt, const SpillSea& sea, FluidState& fluid);
+
+  [[nodiscard]] OilBudget budget() const;
+  [[nodiscard]] std::vector<SlickDisc> discs() const { return layer_.frame().discs; }
+  [[nodiscard]] bool empty() const { return layer_.elements().empty() && sources_.empty() && particles_ == 0; }
+
+  /// All that changes, to come back to.
+  struct State;
+  [[nodiscard]] State state() const;
+  void restore(const State& state);
+
+ private:
+  struct Source {
+    ReleaseOil settings;
+    double left = 0.0;     ///< s
+    double pending = 0.0;  ///< m^3 that has flowed out and is not in the water yet
+    std::uint64_t made = 0;
+  };
+  void run_sources(double dt, const SpillSea& sea, FluidState& fluid);
+  void feed_film(Source& source, const SpillSea& sea);
+  void make_particles(Source& source, const SpillSea& sea, FluidState& fluid);
+  void thin_to_film(FluidState& fluid);
+  void pile_to_particles(FluidState& fluid);
+  [[nodiscard]] bool turn_to_oil(FluidState& fluid, const Eigen::Vector3d& world);
+  [[nodiscard]] Eigen::Vector3d next_place(Source& source, const SpillSea& sea) const;
+  [[nodiscard]] std::optional<std::string> refuse_without_film(const char* what) const;
+  [[nodiscard]] std::optional<std::string> refuse_place(const char* field, const Eigen::Vector2d& place) const;
+  [[nodiscard]] bool in_patch(const Eigen::Vector2d& place) const;
+  [[nodiscard]] double particle_mass() const;  ///< kg, a whole number of milligrams
+
+  OilModel model_;
+  Eigen::Vector3d origin_;
+  Box patch_;
+  std::vector<std::uint32_t> bodies_;  ///< ids
+  double spacing_, oil_density_, water_density_;
+  std::uint32_t most_particles_;
+  SlickLayer layer_;
+  SurfaceField surface_;
+  double fallback_level_;
+  double since_exchange_ = 0.0;  ///< s
+  double since_film_ = 0.0;      ///< s
+
+  std::map<std::string, Source> sources_;
+  std::uint32_t particles_ = 0;
+  std::int64_t displaced_ = 0;  ///< particles of water
+  double held_back_ = 0.0;      ///< kg
+};
+
+struct OilSpill::State {
+  SlickState layer;
+  std::map<std::string, Source> sources;
+  std::uint32_t particles = 0;
+  std::int64_t displaced = 0;
+  double held_back = 0.0, since_exchange = 0.0, since_film = 0.0;
+};
+
+}  // namespace pelagos

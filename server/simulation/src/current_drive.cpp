@@ -1,0 +1,138 @@
+#include "simulation/current_drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "values/lattice.hpp"
+
+namespace pelagos {
+
+namespace {
+
+constexpr std::size_t kParticlesPerBlock = 4096;
+constexpr std::size_t kLayerRows = 2;    ///< one row jumps between layers with every wave, two hold their mean
+constexpr std::size_t kMostLayers = 64;  ///< deeper water gets thicker layers
+/// A layer with this share of its particles counts as full. Rest is 1 within 1 % (compression, settling); the layer at
+/// the crests' feet loses whole columns.
+constexpr double kFull = 0.95;
+
+}  // namespace
+
+CurrentDrive::CurrentDrive(const Scene& scene, const Eigen::Vector3d& origin, double water_level)
+    : spacing_(scene.particle_spacing) {
+  for (std::size_t axis = 0; axis < 2; ++axis) moves_[axis] = scene.tank_edges[axis] == TankEdge::kPeriodic;
+  const auto tank = lattice_counts(scene.tank, spacing_, scene.tank_edges);
+  const auto row = static_cast<double>(tank[0] * tank[1]);
+  rows_ = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(particle_count(scene) / row)));
+  layer_rows_ = std::max(kLayerRows, (rows_ + kMostLayers - 1) / kMostLayers);
+  full_ = row * static_cast<double>(layer_rows_);
+  // Rows stand at d/2, 3d/2, ... above `floor_`, so no row lies on the edge of a layer.
+  floor_ = scene.tank.min.z() - origin.z() + (lattice_offset(scene.tank_edges[2]) - 0.5) * spacing_;
+  depth_ = water_level - origin.z() - floor_;
+  layer_.resize((rows_ + layer_rows_ - 1) / layer_rows_);
+  acceleration_.resize(layer_.size());
+}
+
+/// What is above the water at rest belongs to the uppermost layer.
+std::size_t CurrentDrive::layer_of(float z) const {
+  const double place = (static_cast<double>(z) - floor_) / (spacing_ * static_cast<double>(layer_rows_));
+  return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(layer_.size() - 1)));
+}
+
+void CurrentDrive::start(TaskPool& pool, const Current& current, double time, std::span<const Float4> position,
+                         std::size_t count, std::span<Float4> velocity) const {
+  const CurrentSettings settings = current.settings_at(time);
+  pool.for_each_range(count, kParticlesPerBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double part = settings.profile(floor_ + depth_ - static_cast<double>(position[i].z));
+      if (moves_[0]) velocity[i].x += static_cast<float>(part * settings.velocity.x());
+      if (moves_[1]) velocity[i].y += static_cast<float>(part * settings.velocity.y());
+    }
+  });
+}
+
+void CurrentDrive::sum_layers(TaskPool& pool, std::span<const Float4> position, std::span<const Float4> velocity,
+                              std::size_t count) {
+  const std::size_t layers = layer_.size(), blocks = (count + kParticlesPerBlock - 1) / kParticlesPerBlock;
+  partial_.assign(blocks * layers, {});
+  pool.for_each_range(count, kParticlesPerBlock, [&](std::size_t begin, std::size_t end) {
+    Sum* sums = partial_.data() + begin / kParticlesPerBlock * layers;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Float4& v = velocity[i];
+      if (!std::isfinite(position[i].z + v.x + v.y)) continue;
+      Sum& sum = sums[layer_of(position[i].z)];
+      sum.count += 1.0;
+      sum.velocity[0] += static_cast<double>(v.x);
+      sum.velocity[1] += static_cast<double>(v.y);
+    }
+  });
+  std::fill(layer_.begin(), layer_.end(), Sum{});
+  for (std::size_t n = 0; n < partial_.size(); ++n) {
+    Sum& layer = layer_[n % layers];
+    layer.count += partial_[n].count;
+    for (std::size_t axis = 0; axis < 2; ++axis) layer.velocity[axis] += partial_[n].velocity[axis];
+  }
+}
+
+/// The lowest of the layers that share a mean: the highest full one under the surface's own.
+std::size_t CurrentDrive::first_shared_layer() const {
+  std::size_t layer = layer_.size() - 1;
+  if (layer > 0) --layer;  // the uppermost holds the crests as well, so its count says nothing
+  while (layer > 0 && layer_[layer].count < kFull * full_) --layer;
+  return layer;
+}
+
+double CurrentDrive::mean_profile(const CurrentSettings& current, std::size_t layer) const {
+  const std::size_t begin = layer * layer_rows_, end = std::min(begin + layer_rows_, rows_);
+  double sum = 0.0;
+  for (std::size_t row = begin; row < end; ++row)
+    sum += current.profile(depth_ - (static_cast<double>(row) + 0.5) * spacing_);
+  return sum / static_cast<double>(end - begin);
+}
+
+void CurrentDrive::choose_accelerations(const Current& current, double time) {
+  const CurrentSettings& target = current.target();
+  const Eigen::Vector3d surface = current.surface_velocity_at(time), rate = current.surface_rate_at(time);
+  const std::size_t shared = first_shared_layer();
+  Vector2 lack_of_shared{0.0, 0.0};
+  double count_of_shared = 0.0;
+  for (std::size_t k = 0; k < layer_.size(); ++k) {
+    const double part = mean_profile(target, k);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const auto a = static_cast<Eigen::Index>(axis);
+      const double lack = layer_[k].count * part * surface[a] - layer_[k].velocity[axis];
+      acceleration_[k][axis] = part * rate[a];
+      if (k >= shared) lack_of_shared[axis] += lack;
+      if (k < shared && layer_[k].count > 0.0) acceleration_[k][axis] += lack / (layer_[k].count * target.relaxation);
+    }
+    if (k >= shared) count_of_shared += layer_[k].count;
+  }
+  if (count_of_shared == 0.0) return;
+  for (std::size_t k = shared; k < layer_.size(); ++k)
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      acceleration_[k][axis] += lack_of_shared[axis] / (count_of_shared * target.relaxation);
+}
+
+void CurrentDrive::add_acceleration(TaskPool& pool, const Current& current, double time,
+                                    std::span<const Float4> position, std::span<const Float4> velocity,
+                                    std::size_t count, std::span<Float4> acceleration) {
+  sum_layers(pool, position, velocity, count);
+  choose_accelerations(current, time);
+  const double thickness = spacing_ * static_cast<double>(layer_rows_), last = static_cast<double>(layer_.size() - 1);
+  pool.for_each_range(count, kParticlesPerBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double place = (static_cast<double>(position[i].z) - floor_) / thickness - 0.5;
+      if (!std::isfinite(place)) continue;
+      const double above = std::clamp(place, 0.0, last);
+      const auto k = static_cast<std::size_t>(above), next = std::min(k + 1, layer_.size() - 1);
+      const double part = above - static_cast<double>(k);
+      const auto between = [&](std::size_t axis) {
+        return static_cast<float>((1.0 - part) * acceleration_[k][axis] + part * acceleration_[next][axis]);
+      };
+      if (moves_[0]) acceleration[i].x += between(0);
+      if (moves_[1]) acceleration[i].y += between(1);
+    }
+  });
+}
+
+}  // namespace pelagos

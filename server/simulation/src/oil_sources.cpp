@@ -1,0 +1,146 @@
+// How oil comes into the water and goes from particles to film and back.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "simulation/oil_spill.hpp"
+#include "spill_surroundings.hpp"
+
+namespace pelagos {
+
+namespace {
+
+constexpr double kFilmInterval = 0.5;       // s between the discs that a source feeds to the film
+constexpr double kExchangeInterval = 0.25;  // s between exchanges of particles and film
+constexpr double kGoldenPart = 0.6180339887498949;
+constexpr double kReach = 4.0;      // spacings from a source to the water that it flows into
+constexpr int kFullCell = 4;        // particles that cover a column of (2 d)^2 with one layer
+constexpr int kThinNeighbours = 5;  // in the 3 x 3 columns around, of which a layer has 36
+
+}  // namespace
+
+void OilSpill::advance(double dt, const SpillSea& sea, FluidState& fluid) {
+  if (empty() && layer_.state().skimmers.empty()) return;
+  const bool film_wanted = model_ != OilModel::kParticles;
+  if (film_wanted) surface_.build(fluid, fallback_level_);
+  run_sources(dt, sea, fluid);
+  if (!film_wanted) return;
+  static_cast<void>(layer_.advance(dt, SpillSurroundings(sea, surface_, origin_, spacing_)));
+  since_exchange_ += dt;
+  if (model_ != OilModel::kBoth || since_exchange_ < kExchangeInterval) return;
+  since_exchange_ = 0.0;
+  thin_to_film(fluid);
+  pile_to_particles(fluid);
+}
+
+void OilSpill::run_sources(double dt, const SpillSea& sea, FluidState& fluid) {
+  since_film_ += dt;
+  const bool film_due = since_film_ >= kFilmInterval;
+  for (auto at = sources_.begin(); at != sources_.end();) {
+    Source& source = at->second;
+    const double flowing = std::min(dt, source.left);
+    source.left -= dt;
+    source.pending += source.settings.rate / 3600.0 * flowing;
+    const bool over = source.left <= 0.0;
+    if (model_ != OilModel::kSlick) make_particles(source, sea, fluid);
+    const bool full = model_ == OilModel::kBoth && particles_ >= most_particles_;
+    if (model_ == OilModel::kSlick || ((over || full) && model_ == OilModel::kBoth))
+      if (film_due || over) feed_film(source, sea);
+    if (over) held_back_ += source.pending * oil_density_;
+    at = over ? sources_.erase(at) : std::next(at);
+  }
+  if (film_due) since_film_ = 0.0;
+}
+
+Eigen::Vector3d OilSpill::next_place(Source& source, const SpillSea& sea) const {
+  const double part = std::fmod(kGoldenPart * static_cast<double>(source.made++), 1.0);
+  const Eigen::Vector3d place = source.settings.from + part * (source.settings.to - source.settings.from);
+  if (source.settings.body == 0) return place;
+  for (const BodyState& body : sea.bodies.states())
+    if (body.body == source.settings.body) return body.position + body.orientation * place;
+  return place;
+}
+
+/// A disc of film where the oil surfaces, right above its source.
+void OilSpill::feed_film(Source& source, const SpillSea& sea) {
+  const double mass = source.pending * oil_density_;
+  if (!(mass >= 1e-6)) return;
+  const Eigen::Vector3d place = next_place(source, sea);
+  if (!in_patch(place.head<2>()) || layer_.release(mass, place.head<2>(), spacing_)) return;
+  source.pending = 0.0;
+}
+
+void OilSpill::make_particles(Source& source, const SpillSea& sea, FluidState& fluid) {
+  const double volume = spacing_ * spacing_ * spacing_;
+  while (source.pending >= volume && particles_ < most_particles_) {
+    if (!turn_to_oil(fluid, next_place(source, sea))) return;  // dry there: the oil waits
+    source.pending -= volume;
+    static_cast<void>(layer_.release_submerged(particle_mass()));
+  }
+}
+
+bool OilSpill::turn_to_oil(FluidState& fluid, const Eigen::Vector3d& world) {
+  FluidParticles& p = fluid.particles;
+  const Eigen::Vector3f place = (world - origin_).cast<float>();
+  auto nearest = static_cast<float>(std::pow(kReach * spacing_, 2));
+  std::size_t found = p.count;
+  for (std::size_t i = 0; i < p.count; ++i) {
+    if (p.phase[i] != kWaterPhase) continue;
+    const float distance = (Eigen::Vector3f(p.position[i].x, p.position[i].y, p.position[i].z) - place).squaredNorm();
+    if (!(distance < nearest)) continue;
+    nearest = distance;
+    found = i;
+  }
+  if (found == p.count) return false;
+  p.phase[found] = kOilPhase;
+  ++particles_;
+  ++displaced_;
+  return true;
+}
+
+void OilSpill::thin_to_film(FluidState& fluid) {
+  FluidParticles& p = fluid.particles;
+  const ColumnGrid grid = make_column_grid({p.position.data(), p.count}, 2.0F * static_cast<float>(spacing_));
+  std::vector<int> oil(grid.cell_count());
+  const auto column = [&](const Float4& x) {
+    return std::pair{std::clamp(static_cast<int>((x.x - grid.origin_x) / grid.cell), 0, grid.columns - 1),
+                     std::clamp(static_cast<int>((x.y - grid.origin_y) / grid.cell), 0, grid.rows - 1)};
+  };
+  const auto usable = [&](std::size_t i) {
+    return p.phase[i] == kOilPhase && std::isfinite(p.position[i].x + p.position[i].y + p.position[i].z);
+  };
+  for (std::size_t i = 0; i < p.count; ++i)
+    if (usable(i)) ++oil[grid.index(column(p.position[i]).first, column(p.position[i]).second)];
+  const double radius = spacing_ / std::sqrt(M_PI);
+  for (std::size_t i = 0; i < p.count; ++i) {
+    if (!usable(i)) continue;
+    const Float4& x = p.position[i];
+    const auto [a, b] = column(x);
+    int around = 0;
+    for (int v = std::max(b - 1, 0); v <= std::min(b + 1, grid.rows - 1); ++v)
+      for (int u = std::max(a - 1, 0); u <= std::min(a + 1, grid.columns - 1); ++u) around += oil[grid.index(u, v)];
+    if (oil[grid.index(a, b)] >= kFullCell / 2 || around >= kThinNeighbours) continue;
+    const auto surface = surface_.at({static_cast<double>(x.x), static_cast<double>(x.y)});
+    if (!surface || static_cast<double>(x.z) < surface->height - 1.5 * spacing_) continue;  // on its way up
+    const Eigen::Vector2d place = origin_.head<2>() + Eigen::Vector2f(x.x, x.y).cast<double>();
+    if (!in_patch(place) || layer_.take(particle_mass(), place, radius)) continue;
+    p.phase[i] = kWaterPhase;
+    --particles_;
+    --displaced_;
+  }
+}
+
+void OilSpill::pile_to_particles(FluidState& fluid) {
+  for (const ReturnedOil& oil : layer_.give_back()) {
+    const auto surface = surface_.at(oil.position - origin_.head<2>());
+    const double height = origin_.z() + (surface ? surface->height : fallback_level_) - 0.5 * spacing_;
+    for (std::size_t k = 0; k < oil.particles; ++k) {
+      const bool room = particles_ < most_particles_;
+      if (room && turn_to_oil(fluid, {oil.position.x(), oil.position.y(), height})) continue;
+      static_cast<void>(layer_.take(particle_mass(), oil.position, spacing_));  // back to the film
+    }
+  }
+}
+
+}  // namespace pelagos

@@ -1,0 +1,177 @@
+// What may be asked of the oil, and what it tells.
+
+#include "simulation/oil_spill.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace pelagos {
+
+namespace {
+
+/// The film's oil: the table's weathering of that name, or of the oil nearest in density, with the scene's own density
+/// and viscosity.
+SlickOil film_oil(const OilProperties& oil) {
+  SlickOil film = slick_oil(OilKind::kMediumCrude);
+  if (const auto kind = find_oil_kind(oil.name)) {
+    film = slick_oil(*kind);
+  } else {
+    double nearest = INFINITY;
+    for (const OilKind other : kOilKinds) {
+      const double distance = std::abs(slick_oil(other).density - oil.density);
+      if (distance >= nearest) continue;
+      nearest = distance;
+      film = slick_oil(other);
+    }
+  }
+  film.density = oil.density;
+  film.viscosity = std::max(oil.viscosity, 1e-6) / oil.density;
+  return film;
+}
+
+SlickSettings film_settings(const Scene& scene) {
+  const OilSettings& oil = *scene.oil;
+  const double d = scene.particle_spacing;
+  SlickSettings settings;
+  settings.oil = film_oil(oil.properties);
+  // An oil of particles alone may be heavier than water; its film stays empty.
+  settings.water_density = std::max(scene.water.rest_density, 1.001 * oil.properties.density);
+  settings.water_temperature = oil.water_temperature;
+  settings.gravity = scene.gravity > 0.0 ? scene.gravity : 9.81;
+  settings.evaporation = oil.evaporation;
+  settings.emulsification = oil.emulsification;
+  settings.patch = SlickPatch{scene.tank.min.head<2>(), scene.tank.max.head<2>()};
+  if (oil.model == OilModel::kBoth)
+    settings.exchange = ParticleExchange{1.5 * d, to_kilograms(to_milligrams(oil.properties.density * d * d * d))};
+  return settings;
+}
+
+}  // namespace
+
+OilSpill::OilSpill(const Scene& scene, const FluidState& fluid, const Eigen::Vector3d& origin, double water_level)
+    : model_(scene.oil->model),
+      origin_(origin),
+      patch_(scene.tank),
+      spacing_(scene.particle_spacing),
+      oil_density_(scene.oil->properties.density),
+      water_density_(scene.water.rest_density),
+      most_particles_(scene.oil->most_particles),
+      layer_(film_settings(scene)),
+      fallback_level_(water_level - origin.z()) {
+  for (const BodySettings& body : scene.bodies) bodies_.push_back(body.id);
+  const auto& phase = fluid.particles.phase;
+  const auto end = phase.begin() + static_cast<std::ptrdiff_t>(std::min(phase.size(), fluid.particles.count));
+  particles_ = static_cast<std::uint32_t>(std::count(phase.begin(), end, kOilPhase));
+  if (most_particles_ == 0) most_particles_ = static_cast<std::uint32_t>(fluid.particles.count / 4);
+  if (particles_ > 0) static_cast<void>(layer_.release_submerged(particles_ * particle_mass()));
+}
+
+double OilSpill::particle_mass() const {
+  return to_kilograms(to_milligrams(oil_density_ * spacing_ * spacing_ * spacing_));
+}
+
+bool OilSpill::in_patch(const Eigen::Vector2d& place) const {
+  return (place.array() >= patch_.min.head<2>().array()).all() && (place.array() <= patch_.max.head<2>().array()).all();
+}
+
+std::optional<std::string> OilSpill::refuse_place(const char* field, const Eigen::Vector2d& place) const {
+  if (in_patch(place)) return std::nullopt;
+  return fmt::format("{} ({:g}, {:g}) m lies outside the patch; allowed: ({:g}, {:g}) to ({:g}, {:g}) m", field,
+                     place.x(), place.y(), patch_.min.x(), patch_.min.y(), patch_.max.x(), patch_.max.y());
+}
+
+std::optional<std::string> OilSpill::refuse_without_film(const char* what) const {
+  if (model_ != OilModel::kParticles) return std::nullopt;
+  return std::string(what) + " works on the slick layer; allowed with oil.model SLICK or BOTH in the scene";
+}
+
+std::optional<std::string> OilSpill::apply(const ReleaseOil& c, const Bodies& hulls) {
+  if (c.body != 0 && std::find(bodies_.begin(), bodies_.end(), c.body) == bodies_.end())
+    return fmt::format("body {} is not in the scene; allowed: 0 (fixed in the world) or a body's id", c.body);
+  if (c.body == 0) {
+    for (const auto& [field, place] : {std::pair{"from", c.from}, {"to", c.to}}) {
+      if (auto refused = refuse_place(field, place.head<2>())) return refused;
+      if (!hulls.empty() && hulls.covers(place, 0.0))
+        return fmt::format("{} ({:g}, {:g}, {:g}) m lies inside a hull; allowed: in the water, or fixed to the body",
+                           field, place.x(), place.y(), place.z());
+    }
+  }
+  const double volume = c.rate / 3600.0 * c.duration,
+               room = (most_particles_ - std::min(most_particles_, particles_)) * spacing_ * spacing_ * spacing_;
+  if (model_ == OilModel::kParticles && std::isfinite(volume) && volume > room)
+    return fmt::format(
+        "{:g} m^3/h for {:g} s are {:g} m^3, but there is room for {:g} m^3 in particles "
+        "(oil.most_particles {}); allowed: less, a higher bound, or oil.model SLICK or BOTH",
+        c.rate, c.duration, volume, room, most_particles_);
+  Source& source = sources_[c.name];
+  const double pending = source.pending;
+  source = {c, c.duration, pending, source.made};
+  return std::nullopt;
+}
+
+std::optional<std::string> OilSpill::apply(const StopRelease& c) {
+  if (sources_.erase(c.name) > 0) return std::nullopt;
+  return "no source of the name \"" + c.name + "\" is running";
+}
+
+std::optional<std::string> OilSpill::apply(const SpillOil& c) {
+  if (auto refused = refuse_without_film("an instant slick")) return refused;
+  if (auto refused = refuse_place("position", c.position)) return refused;
+  return layer_.release(c.volume * oil_density_, c.position, c.radius);
+}
+
+std::optional<std::string> OilSpill::apply(const SetBoom& c) {
+  if (auto refused = refuse_without_film("a boom")) return refused;
+  Boom boom;
+  boom.line = c.line;
+  boom.draft = c.draft;
+  boom.critical_speed = c.critical_speed;
+  return layer_.set_boom(c.name, boom);
+}
+
+std::optional<std::string> OilSpill::apply(const RemoveBoom& c) { return layer_.remove_boom(c.name); }
+
+std::optional<std::string> OilSpill::apply(const SetSkimmer& c) {
+  if (auto refused = refuse_without_film("a skimmer")) return refused;
+  if (auto refused = refuse_place("position", c.position)) return refused;
+  return layer_.set_skimmer(c.name, Skimmer{c.position, c.radius, c.rate});
+}
+
+std::optional<std::string> OilSpill::apply(const RemoveSkimmer& c) { return layer_.remove_skimmer(c.name); }
+
+OilBudget OilSpill::budget() const {
+  OilBudget budget;
+  budget.ledger = layer_.ledger();
+  budget.particles = particles_;
+  budget.elements = static_cast<std::uint32_t>(layer_.elements().size());
+  if (budget.elements > 0) {
+    const SlickStatistics film = layer_.statistics();
+    budget.area = film.area;
+    budget.mean_thickness = film.mean_thickness;
+    budget.largest_thickness = film.largest_thickness;
+    budget.emulsion_water = film.emulsion_water;
+  }
+  budget.displaced_water = static_cast<double>(displaced_) * water_density_ * spacing_ * spacing_ * spacing_;
+  budget.held_back = held_back_;
+  for (const auto& [name, skimmer] : layer_.state().skimmers)
+    budget.skimmers.push_back({name, skimmer.report.recovered, skimmer.report.present_rate, skimmer.report.dry});
+  return budget;
+}
+
+OilSpill::State OilSpill::state() const {
+  return {layer_.state(), sources_, particles_, displaced_, held_back_, since_exchange_, since_film_};
+}
+
+void OilSpill::restore(const State& state) {
+  layer_.restore(state.layer);
+  sources_ = state.sources;
+  particles_ = state.particles;
+  displaced_ = state.displaced;
+  held_back_ = state.held_back;
+  since_exchange_ = state.since_exchange;
+  since_film_ = state.since_film;
+}
+
+}  // namespace pelagos

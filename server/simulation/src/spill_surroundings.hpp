@@ -1,0 +1,27 @@
+#pragma once
+
+#include "oil/slick_surroundings.hpp"
+#include "simulation/oil_spill.hpp"
+
+namespace pelagos {
+
+/// The slick's window on water, air and hulls at one instant.
+class SpillSurroundings : public SlickSurroundings {
+ public:
+  /// @param spacing  m, d
+  SpillSurroundings(const SpillSea& sea, const SurfaceField& surface, const Eigen::Vector3d& origin, double spacing)
+      : sea_(sea), surface_(surface), origin_(origin), spacing_(spacing) {}
+
+  void sample(std::span<const Eigen::Vector2d> positions, std::span<SurfaceState> states) const override;
+
+ private:
+  [[nodiscard]] SurfaceState at(const Eigen::Vector2d& position, const Air::Moment* moment) const;
+  void find_way_out(const Eigen::Vector2d& position, SurfaceState& state) const;
+
+  const SpillSea& sea_;
+  const SurfaceField& surface_;
+  const Eigen::Vector3d& origin_;
+  double spacing_;
+};
+
+}  // namespace pelagos

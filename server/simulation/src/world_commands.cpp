@@ -1,0 +1,136 @@
+// What commands do to a world.
+
+#include <type_traits>
+#include <utility>
+
+#include "simulation/world.hpp"
+#include "world_sites.hpp"
+
+namespace pelagos {
+
+namespace {
+
+/// Relaxation times for which water is slowed down after the current was cleared: e^-10 of its speed is left then.
+constexpr double kSlowingTimes = 10.0;
+
+template <class F>
+std::optional<std::string> done(F&& f) {
+  f();
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> World::apply(const Command& command) {
+  using Refusal = std::optional<std::string>;
+  struct Visitor {
+    World& world;
+    Refusal operator()(const SetWind& c) const {
+      return done([&] { world.set_wind(c.wind, c.ramp_seconds); });
+    }
+    Refusal operator()(const ClearWind&) const {
+      return done([&] { world.clear_wind(); });
+    }
+    Refusal operator()(const SetCurrent& c) const {
+      return done([&] { world.set_current(c.current, c.ramp_seconds); });
+    }
+    Refusal operator()(const ClearCurrent&) const {
+      return done([&] { world.clear_current(); });
+    }
+    Refusal operator()(const SetEffort& c) const {
+      return done([&] { world.set_effort(c.effort); });
+    }
+    Refusal operator()(const PauseSimulation&) const { return std::nullopt; }
+    Refusal operator()(const ResumeSimulation&) const { return std::nullopt; }
+    Refusal operator()(const StepSimulation&) const { return std::nullopt; }
+    Refusal operator()(const OilCommand& c) const { return world.apply_to_oil(c); }
+  };
+  return std::visit(Visitor{*this}, command);
+}
+
+std::optional<std::string> World::apply_to_oil(const OilCommand& command) {
+  if (!spill_) return "the scene has no oil; needed there: oil { } with its type and model";
+  return std::visit(
+      [&](const auto& c) -> std::optional<std::string> {
+        if constexpr (std::is_same_v<std::decay_t<decltype(c)>, ReleaseOil>)
+          return spill_->apply(c, bodies_);
+        else
+          return spill_->apply(c);
+      },
+      command);
+}
+
+void World::advance_oil(double dt, double time, StepReport& report) {
+  if (!spill_) return;
+  const StageScope scope(report.times, options_.clock, Stage::kOil);
+  const SpillSea sea{bodies_, wind_ ? &wind_->air() : nullptr, current_ ? &*current_ : nullptr, time};
+  spill_->advance(dt, sea, fluid_);
+}
+
+void World::set_wind(const WindSettings& wind, double ramp_seconds) {
+  if (!wind_) {  // from calm: the same wind without speed, ramped up
+    WindSettings calm = wind;
+    calm.velocity.setZero();
+    calm.amplitude = 0.0;
+    wind_.emplace(wind_site(scene_, origin_, water_level_), calm, clock_.time());
+  }
+  wind_->set(wind, clock_.time(), ramp_seconds);
+}
+
+std::optional<WindSettings> World::wind() const {
+  if (!wind_) return std::nullopt;
+  return wind_->air().settings_at(clock_.time());
+}
+
+std::optional<Air> World::air() const {
+  if (!wind_) return std::nullopt;
+  return wind_->air();
+}
+
+void World::set_effort(const Effort& effort) {
+  max_step_ = effort.max_step;
+  fluid_.parameters.density.tolerance = effort.density_tolerance;
+  fluid_.parameters.divergence.tolerance = effort.divergence_tolerance;
+}
+
+Effort World::effort() const {
+  return {max_step_, fluid_.parameters.density.tolerance, fluid_.parameters.divergence.tolerance};
+}
+
+void World::set_current(const CurrentSettings& current, double ramp_seconds) {
+  if (!current_) current_.emplace(water_level_, drive_.moves_water());
+  current_->set(current, clock_.time(), ramp_seconds);
+  slowing_.reset();
+}
+
+void World::clear_current() {
+  if (!current_) return;
+  CurrentSettings none = current_->target();
+  none.velocity.setZero();
+  slowing_ = *std::exchange(current_, std::nullopt);
+  slowing_->set(none, clock_.time(), 0.0);
+  slowing_until_ = clock_.time() + kSlowingTimes * none.relaxation;
+}
+
+std::optional<CurrentSettings> World::current() const {
+  if (!current_) return std::nullopt;
+  return current_->settings_at(clock_.time());
+}
+
+void World::start_current() {
+  set_current(*scene_.current, 0.0);
+  FluidParticles& p = fluid_.particles;
+  if (drive_.any()) drive_.start(*pool_, *current_, clock_.time(), p.position, p.count, p.velocity);
+  largest_speed_ = measure().largest_speed;
+}
+
+void World::drive_current(double time, StepReport& report) {
+  if (slowing_ && clock_.time() >= slowing_until_) slowing_.reset();
+  const std::optional<Current>& current = current_ ? current_ : slowing_;
+  if (!current || !drive_.any()) return;
+  const StageScope scope(report.times, options_.clock, Stage::kCurrent);
+  FluidParticles& p = fluid_.particles;
+  drive_.add_acceleration(*pool_, *current, time, p.position, p.velocity, p.count, p.acceleration);
+}
+
+}  // namespace pelagos

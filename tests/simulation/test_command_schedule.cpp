@@ -1,0 +1,175 @@
+// Commands that wait for their time.
+
+#include <gmock/gmock.h>
+
+#include "command_queue.hpp"
+#include "describe_command.hpp"
+#include "replay.hpp"
+
+namespace pelagos {
+namespace {
+
+using testing::HasSubstr;
+
+SetWind westerly(double speed) {
+  SetWind set;
+  set.wind.velocity = wind_velocity(speed, 270.0);
+  return set;
+}
+
+std::vector<std::string> sources(CommandQueue& queue, double now) {
+  std::vector<QueuedCommand> taken;
+  queue.take(now, taken);
+  std::vector<std::string> names;
+  for (const QueuedCommand& command : taken) names.push_back(command.source);
+  return names;
+}
+
+TEST(CommandSchedule, AppliesAtTheFirstBoundaryAtOrAfterTheTime) {
+  CommandQueue queue;
+  queue.schedule(ClearWind{}, 1.0, "a");
+  EXPECT_THAT(sources(queue, 0.999), testing::IsEmpty());
+  EXPECT_THAT(sources(queue, 1.0), testing::ElementsAre("a"));
+  EXPECT_THAT(sources(queue, 2.0), testing::IsEmpty());
+  queue.schedule(ClearWind{}, 3.0, "b");
+  EXPECT_THAT(sources(queue, 3.7), testing::ElementsAre("b"));
+}
+
+TEST(CommandSchedule, OrdersByTimeThenAsGivenThenWhatWasSubmitted) {
+  CommandQueue queue;
+  queue.schedule(ClearWind{}, 2.0, "late");
+  queue.schedule(ClearWind{}, 1.0, "first of two");
+  queue.schedule(ClearWind{}, 1.0, "second of two");
+  queue.submit(ClearWind{}, "now");
+  EXPECT_THAT(sources(queue, 2.0), testing::ElementsAre("first of two", "second of two", "late", "now"));
+}
+
+TEST(CommandSchedule, NumbersTheEventsOfASceneAsWritten) {
+  CommandQueue queue({{5.0, ClearWind{}}, {0.0, PauseSimulation{}}}, std::nullopt);
+  EXPECT_EQ(queue.scheduled_count(), 2U);
+  EXPECT_THAT(sources(queue, 0.0), testing::ElementsAre("scene event 2"));
+  EXPECT_THAT(sources(queue, 5.0), testing::ElementsAre("scene event 1"));
+}
+
+TEST(CommandSchedule, RefusesWhatHasPassed) {
+  CommandQueue queue;
+  sources(queue, 10.0);
+  const auto refused = queue.schedule(ClearWind{}, 9.999, "a");
+  EXPECT_EQ(refused.id, 0U);
+  EXPECT_TRUE(refused.past);
+  EXPECT_EQ(refused.present_time, 10.0);
+  EXPECT_GT(queue.schedule(ClearWind{}, 10.0, "a").id, 0U);
+}
+
+TEST(CommandSchedule, IsBounded) {
+  CommandQueue queue({{1.0, ClearWind{}}}, std::nullopt);  // counts too
+  std::vector<ScheduleChange> changes;
+  for (std::size_t i = 1; i < CommandQueue::kMostScheduled; ++i) {
+    EXPECT_GT(queue.schedule(ClearWind{}, 5.0, "a").id, 0U);
+    queue.take_changes(changes);
+  }
+  const auto refused = queue.schedule(ClearWind{}, 5.0, "a");
+  EXPECT_EQ(refused.id, 0U);
+  EXPECT_THAT(refused.refusal, HasSubstr("1000"));
+  EXPECT_TRUE(queue.cancel(1, "b"));
+  EXPECT_GT(queue.schedule(ClearWind{}, 5.0, "a").id, 0U);
+}
+
+TEST(CommandSchedule, TellsOfEveryChange) {
+  CommandQueue queue;
+  const auto id = queue.schedule(westerly(5.0), 5.0, "a").id;
+  EXPECT_FALSE(queue.cancel(id + 1, "b"));
+  EXPECT_TRUE(queue.cancel(id, "b"));
+  EXPECT_FALSE(queue.cancel(id, "b"));
+  std::vector<ScheduleChange> changes;
+  queue.take_changes(changes);
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_FALSE(changes[0].cancelled);
+  EXPECT_EQ(changes[0].by, "a");
+  EXPECT_TRUE(changes[1].cancelled);
+  EXPECT_EQ(changes[1].by, "b");
+  EXPECT_EQ(changes[1].command.id, id);
+  EXPECT_THAT(sources(queue, 6.0), testing::IsEmpty());
+}
+
+TEST(CommandSchedule, KnowsTheWindThatWillBlowThen) {
+  CommandQueue queue({{20.0, westerly(8.0)}}, westerly(4.0).wind);
+  const auto speed = [&](std::optional<double> at) {
+    const auto wind = queue.wind_before(at);
+    return wind ? wind->velocity.norm() : 0.0;
+  };
+  EXPECT_DOUBLE_EQ(speed(std::nullopt), 4.0);
+  EXPECT_DOUBLE_EQ(speed(19.9), 4.0);
+  EXPECT_DOUBLE_EQ(speed(20.0), 8.0);
+  queue.submit(westerly(6.0), "a");
+  EXPECT_DOUBLE_EQ(speed(std::nullopt), 6.0);
+  EXPECT_DOUBLE_EQ(speed(30.0), 8.0);
+  queue.schedule(ClearWind{}, 25.0, "a");
+  EXPECT_FALSE(queue.wind_before(30.0));
+  sources(queue, 21.0);
+  EXPECT_DOUBLE_EQ(speed(std::nullopt), 6.0);  // the event fell due before the command was submitted: it came last
+}
+
+TEST(CommandSchedule, StepsAreTakenAfterAPauseThatFellDue) {
+  CommandQueue queue({{1.0, PauseSimulation{}}}, std::nullopt);
+  EXPECT_TRUE(queue.submit(StepSimulation{}, "a"));
+  sources(queue, 1.0);
+  EXPECT_FALSE(queue.submit(StepSimulation{}, "a"));
+}
+
+TEST(DescribeCommand, SaysWhatAndHowMuch) {
+  SetCurrent current;
+  current.current.velocity = current_velocity(1.5, 90.0);
+  current.current.shear = CurrentShear::kLinear;
+  current.current.depth = 20.0;
+  current.ramp_seconds = 60.0;
+  EXPECT_EQ(describe_command(current).kind, "current");
+  EXPECT_EQ(describe_command(current).text,
+            "current 1.50 m/s to 90 deg, falling linearly to nothing 20 m down, over 60.0 s");
+  EXPECT_EQ(describe_command(ClearWind{}).kind, "wind");
+  EXPECT_EQ(describe_command(PauseSimulation{}).text, "paused");
+}
+
+CommandLog small_log() {
+  CommandLog log;
+  log.header = {"1", "avx2", "basin", 7, 100};
+  log.commands = {{3, 0.1, "a", westerly(5.0)}, {3, 0.1, "b", PauseSimulation{}}, {9, 0.3, "c", ClearWind{}}};
+  log.end = CommandLogEnd{12, 0xabcdU};
+  return log;
+}
+
+TEST(Replay, GivesCommandsAtTheirStepsAndDoesNotPause) {
+  Replay replay(small_log());
+  std::vector<QueuedCommand> taken;
+  replay.take(2, taken);
+  EXPECT_TRUE(taken.empty());
+  replay.take(3, taken);
+  ASSERT_EQ(taken.size(), 1U);
+  EXPECT_EQ(taken[0].source, "replay of a");
+  replay.take(9, taken);
+  ASSERT_EQ(taken.size(), 2U);  // appended
+  EXPECT_TRUE(std::holds_alternative<ClearWind>(taken[1].command));
+  EXPECT_FALSE(replay.ended(11));
+  EXPECT_TRUE(replay.ended(12));
+}
+
+TEST(Replay, IsOfItsOwnSceneOnly) {
+  const Replay replay(small_log());
+  CommandLogHeader now = small_log().header;
+  EXPECT_EQ(replay.mismatch(now), "");
+  EXPECT_EQ(replay.doubt(now), "");
+  now.instruction_set = "avx512";
+  EXPECT_EQ(replay.mismatch(now), "");
+  EXPECT_THAT(replay.doubt(now), HasSubstr("bits may differ"));
+  now.seed = 8;
+  EXPECT_THAT(replay.mismatch(now), HasSubstr("seed 8"));
+}
+
+TEST(Replay, OfACutOffLogDoesNotEnd) {
+  CommandLog log = small_log();
+  log.end.reset();
+  EXPECT_FALSE(Replay(log).ended(1'000'000));
+}
+
+}  // namespace
+}  // namespace pelagos

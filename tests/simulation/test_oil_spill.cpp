@@ -1,0 +1,184 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "basin.hpp"
+#include "simulation/world.hpp"
+
+namespace pelagos {
+namespace {
+
+using testing::HasSubstr;
+using testing::Optional;
+
+constexpr double kVolume = 0.25 * 0.25 * 0.25;  // m^3, of a particle of the basin
+
+Scene oily_basin(OilModel model) {
+  Scene scene = test::basin();
+  scene.oil.emplace();
+  scene.oil->properties = *find_oil("medium crude");
+  scene.oil->model = model;
+  return scene;
+}
+
+World make_world(const Scene& scene, int threads = 1) { return World(scene, {threads, nullptr, {}}); }
+
+void run_until(World& world, double time) {
+  while (world.time() < time - 1e-9) {
+    const WorldStep step = world.advance();
+    ASSERT_EQ(step.report.not_finite, 0U);
+    ASSERT_EQ(world.spill()->budget().ledger.balance(), 0) << "at " << world.time() << " s";
+  }
+}
+
+OilBudget budget_of(const World& world) { return world.spill()->budget(); }
+
+ReleaseOil leak() {
+  ReleaseOil leak;
+  leak.name = "leak";
+  leak.from = leak.to = {2.5, 2.0, 0.5};
+  leak.rate = 1800.0;  // half a cubic metre a second: 32 particles
+  leak.duration = 1.0;
+  return leak;
+}
+
+double largest_density(World& world, double time) {
+  double largest = 0.0;
+  while (world.time() < time - 1e-9) largest = std::max(largest, world.advance().report.largest_density);
+  return largest;
+}
+
+TEST(OilSpill, ASourceBringsItsRateForItsTime) {
+  World world = make_world(oily_basin(OilModel::kParticles));
+  EXPECT_EQ(world.apply(OilCommand{leak()}), std::nullopt);
+  run_until(world, 2.0);
+  const OilBudget oil = budget_of(world);
+  EXPECT_EQ(oil.particles, 32U);
+  EXPECT_NEAR(to_kilograms(oil.ledger.submerged), 0.5 * 877.0, 0.05);
+  EXPECT_EQ(oil.ledger.released, oil.ledger.submerged);
+  EXPECT_NEAR(oil.displaced_water, 0.5 * 1000.0, 1e-6);
+  EXPECT_NEAR(oil.held_back, 0.0, kVolume * 877.0) << "less than a particle";
+}
+
+TEST(OilSpill, MakesNoPressureSpike) {
+  World with = make_world(oily_basin(OilModel::kParticles)), without = make_world(oily_basin(OilModel::kParticles));
+  ASSERT_EQ(with.apply(OilCommand{leak()}), std::nullopt);
+  EXPECT_LT(largest_density(with, 1.0), largest_density(without, 1.0) + 0.03);
+}
+
+TEST(OilSpill, FilmTakesWhatTheSlickModelReleases) {
+  World world = make_world(oily_basin(OilModel::kSlick));
+  ASSERT_EQ(world.apply(OilCommand{leak()}), std::nullopt);
+  run_until(world, 2.0);
+  const OilBudget oil = budget_of(world);
+  EXPECT_EQ(oil.particles, 0U);
+  EXPECT_GT(oil.elements, 0U);
+  EXPECT_GT(oil.area, 0.0);
+  EXPECT_NEAR(to_kilograms(oil.ledger.released), 0.5 * 877.0, 1e-3);
+  EXPECT_EQ(oil.displaced_water, 0.0);
+}
+
+TEST(OilSpill, OilGoesBetweenParticlesAndFilm) {
+  World world = make_world(oily_basin(OilModel::kBoth));
+  ReleaseOil thin = leak();
+  thin.from = thin.to = {2.5, 2.0, 1.1};  // near the surface
+  thin.rate = 3600.0 * 2.0 * kVolume;     // two particles a second: never a layer
+  ASSERT_EQ(world.apply(OilCommand{thin}), std::nullopt);
+  run_until(world, 3.0);
+  EXPECT_GT(budget_of(world).ledger.afloat, 0) << "lone particles became film";
+  EXPECT_EQ(budget_of(world).ledger.released, 2 * to_milligrams(kVolume * 877.0));
+}
+
+TEST(OilSpill, SkimmerRecoversAndTellsWhenItIsDry) {
+  World world = make_world(oily_basin(OilModel::kSlick));
+  ASSERT_EQ(world.apply(OilCommand{SetSkimmer{"rig", {2.5, 2.0}, 1.0, 500.0}}), std::nullopt);
+  ASSERT_EQ(world.apply(OilCommand{SpillOil{{2.5, 2.0}, 0.05, 0.4}}), std::nullopt);
+  run_until(world, 1.0);
+  ASSERT_EQ(budget_of(world).skimmers.size(), 1U);
+  EXPECT_EQ(budget_of(world).skimmers[0].name, "rig");
+  EXPECT_GT(budget_of(world).ledger.recovered, 0);
+  EXPECT_EQ(budget_of(world).ledger.recovered, budget_of(world).skimmers[0].recovered);
+  ASSERT_EQ(world.apply(OilCommand{SetSkimmer{"far", {0.5, 0.5}, 0.1, 500.0}}), std::nullopt);
+  run_until(world, 1.2);
+  EXPECT_TRUE(budget_of(world).skimmers[0].dry) << "far, by name first, on dry water";
+}
+
+TEST(OilSpill, DriftsWithACurrentThatTheTankCannotFollow) {
+  Scene scene = oily_basin(OilModel::kSlick);
+  scene.tank_edges = {TankEdge::kMirror, TankEdge::kMirror, TankEdge::kMirror};
+  World world = make_world(scene);
+  ASSERT_EQ(world.apply(OilCommand{SpillOil{{1.5, 2.0}, 0.01, 0.3}}), std::nullopt);
+  SetCurrent current;
+  current.current.velocity = {0.5, 0.0, 0.0};
+  ASSERT_EQ(world.apply(current), std::nullopt);
+  run_until(world, 3.0);
+  double x = 0.0, mass = 0.0;
+  for (const SlickDisc& disc : world.spill()->discs()) {
+    x += static_cast<double>(disc.mass) * static_cast<double>(disc.x);
+    mass += static_cast<double>(disc.mass);
+  }
+  EXPECT_NEAR(x / mass, 1.5 + 0.5 * 3.0, 0.25) << "the basin's own motion moves it besides";
+}
+
+TEST(OilSpill, TheSameBitsForAnyNumberOfThreads) {
+  std::uint64_t hash = 0;
+  OilLedger ledger;
+  for (const int threads : {1, 3}) {
+    World world = make_world(oily_basin(OilModel::kBoth), threads);
+    ASSERT_EQ(world.apply(OilCommand{leak()}), std::nullopt);
+    run_until(world, 1.5);
+    if (threads == 1) {
+      hash = state_hash(world.fluid().particles);
+      ledger = budget_of(world).ledger;
+    } else {
+      EXPECT_EQ(state_hash(world.fluid().particles), hash);
+      EXPECT_EQ(budget_of(world).ledger, ledger);
+    }
+  }
+}
+
+TEST(OilSpill, RefusesWhatCannotBe) {
+  World dry = make_world(test::basin());
+  EXPECT_THAT(dry.apply(OilCommand{leak()}), Optional(HasSubstr("the scene has no oil")));
+
+  World world = make_world(oily_basin(OilModel::kParticles));
+  ReleaseOil wrong = leak();
+  wrong.from.x() = 7.0;
+  EXPECT_THAT(world.apply(OilCommand{wrong}), Optional(AllOf(HasSubstr("from (7, 2) m lies outside the patch"),
+                                                             HasSubstr("allowed: (0, 0) to (5, 4)"))));
+  wrong = leak();
+  wrong.body = 9;
+  EXPECT_THAT(world.apply(OilCommand{wrong}), Optional(HasSubstr("body 9 is not in the scene")));
+  wrong = leak();
+  wrong.duration = 1000.0;
+  EXPECT_THAT(world.apply(OilCommand{wrong}), Optional(HasSubstr("oil.most_particles 285")));
+  EXPECT_THAT(world.apply(OilCommand{StopRelease{"no"}}), Optional(HasSubstr("no source of the name \"no\"")));
+  EXPECT_THAT(world.apply(OilCommand{SetBoom{"b", {{1, 1}, {2, 2}}, 0.5, 0.36}}),
+              Optional(HasSubstr("allowed with oil.model SLICK or BOTH")));
+  EXPECT_THAT(world.apply(OilCommand{SpillOil{{1, 1}, 1.0, 1.0}}), Optional(HasSubstr("slick layer")));
+  EXPECT_THAT(world.apply(OilCommand{RemoveBoom{"b"}}), Optional(HasSubstr("b")));
+  EXPECT_TRUE(world.spill()->empty());
+}
+
+TEST(OilSpill, ASourceWithoutAnEndStopsAtTheBound) {
+  Scene scene = oily_basin(OilModel::kParticles);
+  scene.oil->most_particles = 10;
+  World world = make_world(scene);
+  ReleaseOil endless = leak();
+  endless.duration = INFINITY;
+  ASSERT_EQ(world.apply(OilCommand{endless}), std::nullopt);
+  run_until(world, 1.0);
+  EXPECT_EQ(budget_of(world).particles, 10U);
+  EXPECT_EQ(world.apply(OilCommand{StopRelease{"leak"}}), std::nullopt);
+}
+
+TEST(OilSpill, NoOilNoCost) {
+  static std::int64_t tick = 0;
+  World world(test::basin(), {1, [] { return ++tick; }, {}});
+  EXPECT_EQ(world.advance().report.times.ns[static_cast<std::size_t>(Stage::kOil)], 0);
+  EXPECT_FALSE(world.spill());
+}
+
+}  // namespace
+}  // namespace pelagos

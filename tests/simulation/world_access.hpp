@@ -1,0 +1,12 @@
+#pragma once
+
+#include "simulation/world.hpp"
+
+namespace pelagos {
+
+/// Lets tests put faults and waves into a world's water.
+struct WorldTestAccess {
+  static FluidState& fluid(World& world) { return world.fluid_; }
+};
+
+}  // namespace pelagos
