@@ -90,7 +90,28 @@ TEST(BodyShape, RefusesWhatItCannotSample) {
   const BodyShape huge = make_body_shape(make_box({0, 0, 0}, {1e5, 1e5, 10}), 0.1, 0.6);
   ASSERT_EQ(huge.faults.size(), 1u);
   EXPECT_THAT(huge.faults[0], ::testing::HasSubstr("particle_spacing"));
-  EXPECT_FALSE(load_body_shape("/nowhere.obj", 1, 1, 0.6).faults.empty());
+  EXPECT_FALSE(load_body_shape("/nowhere.obj", {}, 1, 0.6).faults.empty());
+}
+
+TEST(BodyShape, OpenSurfaceIsSampledBehindItsFaces) {
+  // A slope of 1 in 4 that faces up, 4 x 4 m.
+  TriangleMesh slope;
+  slope.vertices = {{-2, -2, -0.5}, {2, -2, 0.5}, {2, 2, 0.5}, {-2, 2, -0.5}};
+  slope.triangles = {{0, 1, 2}, {0, 2, 3}};
+  EXPECT_FALSE(make_body_shape(slope, 0.25, 0.6).faults.empty()) << "a closed body has no rim";
+  const BodyShape shape = make_body_shape(slope, 0.25, 0.6, MeshKind::kOpen);
+  ASSERT_TRUE(shape.faults.empty()) << shape.faults.front();
+  const Eigen::Vector3d up = Eigen::Vector3d(-0.25, 0, 1).normalized();
+  for (const auto& sample : shape.samples) EXPECT_NEAR(up.dot(sample.cast<double>()), -0.6 * 0.25, 1e-6);  // floats
+  // about one a spacing^2; a rim attracts samples: 0.9 to 1.2 on 16 x 16 spacings
+  EXPECT_NEAR(static_cast<double>(shape.samples.size()) * 0.0625 / mesh_area(slope), 1.05, 0.15);
+  EXPECT_TRUE(shape.inside({1, 1, 0}));
+  EXPECT_FALSE(shape.inside({1, 1, 0.5}));
+  EXPECT_TRUE(shape.inside({0, 0, -100})) << "however deep";
+  EXPECT_TRUE(shape.inside({5, 0, 1})) << "past the rim the slope goes on";
+  EXPECT_FALSE(shape.inside({5, 0, 1.5}));
+  EXPECT_NEAR(shape.signed_distance({0, 0, -1}, 10.0), -up.z(), 1e-12);
+  EXPECT_NEAR(shape.signed_distance({0, 0, 1}, 0.1), 0.1, 1e-12);
 }
 
 TEST(BodyShape, WithoutInsetSamplesLieOnTheSurface) {
@@ -136,7 +157,7 @@ TEST(PlaceSamples, MovesAsARigidBody) {
 TEST(Coaster, IsWatertightAndSampledAtOneMetre) {
   const std::string path = PELAGOS_SOURCE_DIR "/assets/meshes/coaster_hull.obj";
   ASSERT_TRUE(std::filesystem::exists(path));
-  const BodyShape shape = load_body_shape(path, 1.0, 1.0, 0.6);
+  const BodyShape shape = load_body_shape(path, {}, 1.0, 0.6);
   ASSERT_TRUE(shape.faults.empty()) << shape.faults.front();
   EXPECT_GT(shape.volume, 0.3 * shape.bounding_box.volume());  // block coefficients of full hulls with superstructure
   EXPECT_LT(shape.volume, shape.bounding_box.volume());

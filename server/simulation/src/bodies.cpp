@@ -45,7 +45,7 @@ Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::v
     Body body;
     body.settings = settings;
     body.shape =
-        load_body_shape(settings.mesh_file, settings.mesh_scale, scene.particle_spacing, settings.sample_inset);
+        load_body_shape(settings.mesh_file, {settings.mesh_scale}, scene.particle_spacing, settings.sample_inset);
     for (const std::string& fault : body.shape.faults)
       faults.push_back("body " + std::to_string(settings.id) + " (" + settings.name + "): " + fault);
     const std::string at_faces = body.shape.faults.empty()
