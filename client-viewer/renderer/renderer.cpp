@@ -240,14 +240,8 @@ std::vector<std::string> Renderer::set_scene(const SceneInfo& scene, const std::
   state_->scene = scene;
   state_->meshes.clear();
   for (const BodyInfo& body : scene.bodies) {
-    const std::filesystem::path file = drawn_mesh_file(mesh_folder, body.mesh_file);
-    if (file.empty()) {
-      faults.push_back("body " + std::to_string(body.id) + ": no mesh " + body.mesh_file + " in " +
-                       mesh_folder.string() + "; it is not drawn (--assets names the folder that holds meshes/)");
-      continue;
-    }
     try {
-      state_->meshes[body.id] = std::make_unique<Mesh>(load_mesh(file, body.mesh_scale));
+      state_->meshes[body.id] = std::make_unique<Mesh>(load_body_mesh(mesh_folder, body.mesh_file, body.mesh_scale));
     } catch (const GraphicsError& error) {
       faults.push_back("body " + std::to_string(body.id) + ": " + error.what());
     }

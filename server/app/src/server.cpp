@@ -96,10 +96,11 @@ void Server::open_links() {
   }
   publisher_ = std::make_unique<FramePublisher>(participant, world_->describe(), PublisherSettings{}, dds.log);
   poses_ = std::make_unique<PoseReceiver>(participant, driven_bodies(options_.scene), dds.log);
-  log_info(fmt::format("scene {}: {} particles of {:g} m, {} boundary samples ({} on hulls), {} threads; DDS domain {}",
-                       options_.scene.name, world_->fluid().particles.count, options_.scene.particle_spacing,
-                       world_->fluid().static_walls + world_->bodies().sample_count(), world_->bodies().sample_count(),
-                       options_.threads, options_.domain));
+  log_info(
+      fmt::format("scene {}: {} particles of {:g} m, {} boundary samples ({} on bodies), {} threads; DDS domain {}",
+                  options_.scene.name, world_->fluid().particles.count, options_.scene.particle_spacing,
+                  world_->fluid().static_walls + world_->bodies().moving_sample_count(),
+                  world_->bodies().sample_count(), options_.threads, options_.domain));
 }
 
 ServerSummary Server::run() {

@@ -112,6 +112,7 @@ BodyShape make_body_shape(const TriangleMesh& mesh, double spacing, double inset
   if (!shape.faults.empty()) return shape;
 
   if (kind == MeshKind::kClosed) shape.volume = mesh_volume(mesh);
+  for (const auto& [from, to] : rim_edges(mesh)) shape.rim.push_back({mesh.vertices[from], mesh.vertices[to]});
   shape.surface = std::make_shared<const MeshQuery>(mesh);
   for (const Eigen::Vector3d& vertex : mesh.vertices) shape.bounding_box.extend(vertex);
 

@@ -66,15 +66,16 @@ double mesh_area(const TriangleMesh& mesh) {
   return area;
 }
 
-std::vector<std::uint32_t> rim_vertices(const TriangleMesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;  // from the lower to the higher vertex
+std::vector<std::array<std::uint32_t, 2>> rim_edges(const TriangleMesh& mesh) {
+  std::map<std::array<std::uint32_t, 2>, int> edges;
   for (const auto& triangle : mesh.triangles)
-    for (std::size_t c = 0; c < 3; ++c) ++edges[std::minmax(triangle[c], triangle[(c + 1) % 3])];
-  std::vector<std::uint32_t> rim;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto [low, high] = std::minmax(triangle[c], triangle[(c + 1) % 3]);
+      ++edges[{low, high}];
+    }
+  std::vector<std::array<std::uint32_t, 2>> rim;
   for (const auto& [edge, count] : edges)
-    if (count == 1) rim.insert(rim.end(), {edge.first, edge.second});
-  std::sort(rim.begin(), rim.end());
-  rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
+    if (count == 1) rim.push_back(edge);
   return rim;
 }
 

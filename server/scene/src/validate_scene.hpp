@@ -31,6 +31,9 @@ struct Basis {
 [[nodiscard]] std::vector<BodySettings> validate_bodies(const FieldReader& scene_reader, const std::optional<Box>& tank,
                                                         const SceneSource& source);
 
+/// What a body's surface is made of: mesh_file and what goes with it, or shape. Its drive must be read already.
+void read_surface_of_body(const FieldReader& body_reader, const SceneSource& source, BodySettings& body);
+
 /// The `solver` entry.
 [[nodiscard]] SolverSettings validate_solver(const FieldReader& scene_reader);
 /// The `time_step` entry; also whether there is a time scale at all.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -18,10 +19,11 @@ namespace pelagos {
 struct BodyShape {
   std::vector<Eigen::Vector3f> samples;  ///< m
   MeshKind kind = MeshKind::kClosed;
-  double volume = 0.0;               ///< m^3, enclosed by a closed mesh; 0 for an open one
-  Eigen::AlignedBox3d bounding_box;  ///< m, of the mesh
-  double reach = 0.0;                ///< m, largest distance of a sample from the body's origin
-  std::vector<std::string> faults;   ///< not empty: the shape cannot be used, and why
+  double volume = 0.0;                              ///< m^3, enclosed by a closed mesh; 0 for an open one
+  Eigen::AlignedBox3d bounding_box;                 ///< m, of the mesh
+  double reach = 0.0;                               ///< m, largest distance of a sample from the body's origin
+  std::vector<std::array<Eigen::Vector3d, 2>> rim;  ///< m, edges where an open mesh ends
+  std::vector<std::string> faults;                  ///< not empty: the shape cannot be used, and why
   std::shared_ptr<const MeshQuery> surface;
 
   /// Whether a point (body axes) is inside the mesh, or behind an open one. Water must not start there.

@@ -48,7 +48,7 @@ struct MeshFile {
 /// Surface area, m^2.
 [[nodiscard]] double mesh_area(const TriangleMesh& mesh);
 
-/// Vertices at the rim of an open mesh.
-[[nodiscard]] std::vector<std::uint32_t> rim_vertices(const TriangleMesh& mesh);
+/// The edges at the rim of an open mesh: those that one triangle has, from the lower to the higher vertex.
+[[nodiscard]] std::vector<std::array<std::uint32_t, 2>> rim_edges(const TriangleMesh& mesh);
 
 }  // namespace pelagos
