@@ -77,6 +77,26 @@ TEST(ShippedScenes, BridgeCarriesTheOwnShip) {
   EXPECT_EQ(scene.far_sea.beaufort, 5);
 }
 
+TEST(ShippedScenes, LighthouseIsThePapersInMetresOfTwentyALength) {
+  const Scene scene = load("lighthouse.scene");
+  EXPECT_EQ(particle_count(scene), 34515);
+  EXPECT_EQ(scene.tank.size(), Eigen::Vector3d(100.0, 60.0, 100.0));
+  ASSERT_TRUE(scene.wind);
+  EXPECT_EQ(scene.wind->velocity, Eigen::Vector3d(-18.0, -0.5, 0.0));
+  ASSERT_EQ(scene.bodies.size(), 1u);
+  EXPECT_EQ(scene.bodies[0].drive, BodyDrive::kStatic);
+}
+
+TEST(ShippedScenes, TankerIsThePapersInMetresOfTwentyALength) {
+  const Scene scene = load("tanker.scene");
+  EXPECT_EQ(particle_count(scene), 64251);
+  EXPECT_EQ(scene.tank.size(), Eigen::Vector3d(120.0, 60.0, 100.0));
+  ASSERT_TRUE(scene.wind);
+  EXPECT_EQ(scene.wind->velocity, Eigen::Vector3d(-18.0, -0.5, 0.0));
+  ASSERT_EQ(scene.bodies.size(), 1u);
+  EXPECT_EQ(scene.bodies[0].id, 1u) << "the own ship";
+}
+
 TEST(ShippedScenes, EverySceneLoads) {
   int scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(std::string(PELAGOS_SOURCE_DIR) + "/scenes")) {
@@ -85,7 +105,7 @@ TEST(ShippedScenes, EverySceneLoads) {
     const SceneResult result = read_scene_file(entry.path());
     EXPECT_TRUE(result) << result.report();
   }
-  EXPECT_GE(scenes, 4);
+  EXPECT_GE(scenes, 6);
 }
 
 }  // namespace

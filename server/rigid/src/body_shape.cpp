@@ -5,14 +5,14 @@
 #include <cassert>
 #include <cmath>
 
-#include "farthest_points.hpp"
+#include "poisson_disk.hpp"
 
 namespace pelagos {
 
 namespace {
 
 constexpr double kCandidateSpacing = 0.25;  ///< of the particle spacing
-constexpr double kLeastDistance = 0.82;     ///< between samples, in spacings: one sample per spacing^2 on a plane
+constexpr double kLeastDistance = 0.8;      ///< between samples, in spacings: one sample per spacing^2 on a plane
 constexpr std::size_t kMostCandidates = 8'000'000;
 constexpr double kDistanceSlack = 0.98;  ///< a candidate nearer to the surface than this part of its inset is dropped
 
@@ -117,7 +117,7 @@ BodyShape make_body_shape(const TriangleMesh& mesh, double spacing, double inset
   for (const Eigen::Vector3d& vertex : mesh.vertices) shape.bounding_box.extend(vertex);
 
   const auto candidates = make_candidates(mesh, shape, step, inset * spacing);
-  for (const std::size_t chosen : select_farthest_points(candidates, kLeastDistance * spacing)) {
+  for (const std::size_t chosen : select_poisson_disk(candidates, kLeastDistance * spacing)) {
     shape.samples.push_back(candidates[chosen].cast<float>());
     shape.reach = std::max(shape.reach, candidates[chosen].norm());
   }

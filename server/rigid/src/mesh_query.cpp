@@ -11,6 +11,7 @@ namespace pelagos {
 namespace {
 
 constexpr std::uint32_t kLeafTriangles = 4;
+constexpr double kParallel = 1e-9;    ///< sine of the angle below which an edge lies in a triangle's plane
 constexpr std::size_t kDeepest = 64;  ///< of the tree: halving reaches 4 triangles after log2(n) levels
 
 /// The place of a triangle nearest to a point, by the regions of its plane (Ericson 2005, Real-Time Collision
@@ -64,7 +65,9 @@ Eigen::AlignedBox3d box_of(const Eigen::Vector3d& corner, const Eigen::Vector3d&
 /// Whether an edge of the first triangle goes through the second.
 bool pierces(const Eigen::Vector3d& corner, const Eigen::Vector3d& edge1, const Eigen::Vector3d& edge2,
              const Eigen::Vector3d& other, const Eigen::Vector3d& other1, const Eigen::Vector3d& other2) {
+  const Eigen::Vector3d normal = other1.cross(other2);
   const auto meets = [&](const Eigen::Vector3d& start, const Eigen::Vector3d& way) {
+    if (std::abs(way.dot(normal)) <= kParallel * way.norm() * normal.norm()) return false;
     const double at = ray_distance(start, way, other, other1, other2);
     return at >= 0.0 && at <= 1.0;
   };

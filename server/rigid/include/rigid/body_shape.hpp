@@ -37,9 +37,11 @@ struct BodyShape {
 /// Samples a mesh for boundary particles.
 /// Samples lie on the inner parallel surface, `inset` spacings below the mesh (none: hulls float 11 to 15 % too high;
 /// 0.6 is calibrated on drafts). Where the body is thinner than twice the inset, they lie in its middle. They are
-/// spread by farthest-point selection from a fine cloud of candidates (Eldar et al. 1997, "The farthest point strategy
-/// for progressive image sampling"): no two closer than 0.82 spacings, hence about one for each spacing^2, and no hole
-/// between them wider than that. The same mesh gives the same samples.
+/// a maximal Poisson-disk set of a fine cloud of candidates (dart throwing as Bowers et al. 2010, "Parallel Poisson
+/// disk sampling with spectrum analysis on surfaces", in a fixed random order): no two closer than 0.8 spacings, no
+/// hole between them wider than that, about one for each spacing^2 as on the tank's walls. The same mesh gives the same
+/// samples. Farthest-point selection (Eldar et al. 1997) keeps the same bounds with 6 % fewer samples, whose volumes
+/// differ more (by 14 % rms instead of 12 %), and takes three to nine times as long.
 /// @param mesh     without faults of this kind; otherwise the shape carries them and is empty
 /// @param spacing  particle spacing d, m, > 0
 /// @param inset    in spacings, >= 0
