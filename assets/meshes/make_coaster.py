@@ -12,6 +12,9 @@ import math
 import os
 import sys
 
+from mesh_writer import Mesh, add_hull, add_plates, check_closed, mix, smoothstep, write_materials
+
+AXES = "Body axes: x forward, y port, z up; z = 0 is the design waterline; metres."
 LENGTH, BEAM, DRAFT = 36.0, 9.0, 2.8
 BOOT_LOW, BOOT_TOP = 0.22, 0.46  # m, the white stripe above the waterline
 STATIONS = 48
@@ -31,15 +34,6 @@ MATERIALS = {  # name: diffuse colour, linear RGB
     "mast": (0.72, 0.70, 0.60),
     "boat": (0.75, 0.16, 0.02),
 }
-
-
-def smoothstep(a, b, x):
-    t = min(max((x - a) / (b - a), 0.0), 1.0)
-    return t * t * (3.0 - 2.0 * t)
-
-
-def mix(a, b, t):
-    return a + (b - a) * t
 
 
 def deck_height(u):
@@ -89,118 +83,28 @@ def section(u):
     return [(0.5 * BEAM * across, z) for across, z in points]
 
 
-class Mesh:
-    def __init__(self):
-        self.vertices, self.groups = [], []
-
-    def group(self, name, material):
-        self.groups.append((name, material, []))
-
-    def vertex(self, x, y, z):
-        self.vertices.append((x, y, z))
-        return len(self.vertices)
-
-    def face(self, *indices):
-        unique = [v for k, v in enumerate(indices) if v != indices[k - 1]]
-        for k in range(1, len(unique) - 1):
-            self.groups[-1][2].append((unique[0], unique[k], unique[k + 1]))
-
-    def box(self, x, y, z, taper=0.0):
-        """Axis-aligned box from three (low, high) pairs; the top shrinks by `taper` on each side."""
-        v = [self.vertex(x[i] + (taper if k and not i else -taper if k else 0.0),
-                         y[j] + (taper if k and not j else -taper if k else 0.0), z[k])
-             for k in (0, 1) for j in (0, 1) for i in (0, 1)]
-        for a, b, c, d in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)):
-            self.face(v[a], v[b], v[c], v[d])
-
-    def triangles(self):
-        return [t for _, _, triangles in self.groups for t in triangles]
-
-    def write(self, path, title, material_file=None):
-        with open(path, "w", encoding="ascii") as out:
-            out.write(f"# {title}\n# Body axes: x forward, y port, z up; z = 0 is the design waterline; metres.\n")
-            if material_file:
-                out.write(f"mtllib {material_file}\n")
-            out.writelines("v {:.4f} {:.4f} {:.4f}\n".format(*v) for v in self.vertices)
-            for name, material, triangles in self.groups:
-                out.write(f"g {name}\n" + (f"usemtl {material}\n" if material_file else ""))
-                out.writelines("f {} {} {}\n".format(*t) for t in triangles)
-
-
-def add_hull(mesh):
-    """The closed hull; returns the deck edge of the port side."""
-    port, starboard = [], []
-    for i in range(STATIONS + 1):
-        u = 0.5 * (1.0 - math.cos(math.pi * i / STATIONS)) * 0.35 + 0.65 * i / STATIONS
-        side = []
-        for y, z in section(u):
-            x = mix(stern_x(z), stem_x(z), u)
-            side.append((x, y if i < STATIONS else 0.0, z))
-        port.append([mesh.vertex(*p) for p in side])
-        starboard.append([port[-1][j] if p[1] == 0.0 else mesh.vertex(p[0], -p[1], p[2]) for j, p in enumerate(side)])
-    rows = len(port[0]) - 1
+def add_coaster_hull(mesh):
+    rows = ROWS_BELOW + 1 + ROWS_ABOVE
     bands = (("hull_bottom", "antifouling", 0, ROWS_BELOW), ("hull_boot_top", "boot_top", ROWS_BELOW, ROWS_BELOW + 1),
              ("hull_topside", "topside", ROWS_BELOW + 1, rows))
-    edge = [mesh.vertices[side[rows] - 1] for side in port]
-    centre = [mesh.vertex(x, 0.0, z + 0.02 * y) for x, y, z in edge[:-1]] + [port[-1][rows]]
-    for name, material, first, last in bands:
-        mesh.group(name, material)
-        for j in range(first, last):
-            for i in range(STATIONS):
-                mesh.face(port[i][j + 1], port[i + 1][j + 1], port[i + 1][j], port[i][j])
-                mesh.face(starboard[i + 1][j], starboard[i + 1][j + 1], starboard[i][j + 1], starboard[i][j])
-            top = (starboard[0][j + 1], centre[0], port[0][j + 1]) if j + 1 == rows else (starboard[0][j + 1], port[0][j + 1])
-            mesh.face(starboard[0][j], *top, port[0][j])
-    mesh.group("hull_deck", "deck")
-    for i in range(STATIONS):
-        mesh.face(centre[i], centre[i + 1], port[i + 1][rows], port[i][rows])
-        mesh.face(centre[i], starboard[i][rows], starboard[i + 1][rows], centre[i + 1])
-    return edge
+    return add_hull(mesh, STATIONS, section, lambda u, z: mix(stern_x(z), stem_x(z), u), bands, 0.02)
 
 
 def check_hull(mesh):
-    """Closed and outward: every edge once in each direction, positive volume, the stated size."""
-    edges = set()
-    for a, b, c in mesh.triangles():
-        for edge in ((a, b), (b, c), (c, a)):
-            assert edge not in edges, f"edge {edge} twice in one direction"
-            edges.add(edge)
-    assert all((b, a) in edges for a, b in edges), "the hull is open"
-    volume = 0.0
-    for a, b, c in (tuple(mesh.vertices[k - 1] for k in t) for t in mesh.triangles()):
-        volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-                   a[2] * (b[0] * c[1] - b[1] * c[0])) / 6.0
-    assert volume > 0.0, "faces point inward"
-    low = [min(v[k] for v in mesh.vertices) for k in range(3)]
-    high = [max(v[k] for v in mesh.vertices) for k in range(3)]
+    """Closed, outward, and of the size stated."""
+    volume, low, high = check_closed(mesh)
     assert abs(high[0] - low[0] - LENGTH) < 0.1 and abs(high[1] - low[1] - BEAM) < 0.05 and abs(low[2] + DRAFT) < 0.01
     return volume, low, high
 
 
 def add_bulwark(mesh, edge):
     """A thin plate that stands on the deck edge of the forecastle, and a low gunwale along the main deck."""
-    for name, first, last, height in (("bulwark", int(0.80 * STATIONS), STATIONS, 0.85),
-                                      ("gunwale", 0, int(0.80 * STATIONS), 0.22)):
-        mesh.group(name, "topside")
-        for side in (1.0, -1.0):
-            outer = [(x, side * y, z) for x, y, z in edge[first:last + 1]]
-            inner = [(x - (0.15 if y == 0.0 else 0.0), side * max(abs(y) - 0.12, 0.0), z) for x, y, z in outer]
-            rings = []
-            for o, n in zip(outer, inner):
-                rings.append([mesh.vertex(*o), mesh.vertex(o[0], o[1], o[2] + height),
-                              mesh.vertex(n[0], n[1], n[2] + height), mesh.vertex(*n)])
-            for a, b in zip(rings, rings[1:]):
-                for k in range(3):
-                    quad = (a[k], a[k + 1], b[k + 1], b[k])
-                    mesh.face(*(quad if side > 0 else quad[::-1]))
+    forecastle = int(0.80 * STATIONS)
+    add_plates(mesh, edge, (("bulwark", "topside", forecastle, STATIONS, 0.85), ("gunwale", "topside", 0, forecastle, 0.22)))
 
 
 def add_outfit(mesh):
-    def part(name, material, boxes, taper=0.0):
-        mesh.group(name, material)
-        for x, y, z in boxes:
-            mesh.box(x, y, z, taper)
-
+    part = mesh.part
     holds = ((-5.2, 3.2), (4.2, 11.2))
     part("hatch_coaming", "coaming", [(h, (-3.1, 3.1), (1.75, 2.75)) for h in holds])
     part("hatch_cover", "hatch", [((a - 0.15, b + 0.15), (-3.25, 3.25), (2.75, 3.05)) for a, b in holds], 0.08)
@@ -232,17 +136,16 @@ def add_outfit(mesh):
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
     hull = Mesh()
-    add_hull(hull)
+    add_coaster_hull(hull)
     volume, low, high = check_hull(hull)
-    hull.write(os.path.join(folder, "coaster_hull.obj"), "Coaster, watertight hull for physics; written by make_coaster.py")
+    hull.write(os.path.join(folder, "coaster_hull.obj"), "Coaster, watertight hull for physics; written by make_coaster.py", AXES)
     ship = Mesh()
-    edge = add_hull(ship)
+    edge = add_coaster_hull(ship)
     add_bulwark(ship, edge)
     add_outfit(ship)
-    ship.write(os.path.join(folder, "coaster.obj"), "Coaster, for drawing; written by make_coaster.py", "coaster.mtl")
-    with open(os.path.join(folder, "coaster.mtl"), "w", encoding="ascii") as out:
-        out.write("# Colours of the coaster's parts, linear RGB; written by make_coaster.py\n")
-        out.writelines("newmtl {}\nKd {} {} {}\n".format(name, *colour) for name, colour in MATERIALS.items())
+    ship.write(os.path.join(folder, "coaster.obj"), "Coaster, for drawing; written by make_coaster.py", AXES, "coaster.mtl")
+    write_materials(os.path.join(folder, "coaster.mtl"),
+                    "Colours of the coaster's parts, linear RGB; written by make_coaster.py", MATERIALS)
     print(f"hull: {len(hull.triangles())} triangles, {volume:.1f} m^3, from {low} to {high}")
     print(f"ship: {len(ship.triangles())} triangles")
 

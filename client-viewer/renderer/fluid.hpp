@@ -12,7 +12,7 @@ namespace pelagos {
 /// A particle as the shaders read it (struct Particle of particle.vert).
 struct DrawnParticle {
   float centre[3];  ///< m, relative to the eye
-  float foam;       ///< 0..1
+  float foam;       ///< 0..1; -1: oil, which does not foam
   float orientation[4];
   float semi_axes[3];
   float spray;  ///< 0..1
@@ -39,7 +39,7 @@ class FluidPass {
   void smooth();
 
   [[nodiscard]] const Texture& inverse_depth() const { return first_; }  ///< as drawn; after smooth(): smoothed
-  [[nodiscard]] const Texture& surface() const { return surface_; }      ///< inverse depth, slope x, slope y, foam
+  [[nodiscard]] const Texture& surface() const { return surface_; }  ///< inverse depth, slope x, slope y, foam less oil
   void bind_particles() const;
 
  private:

@@ -4,20 +4,54 @@
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
+#include <cmath>
+#include <numbers>
 
 namespace pelagos {
 
-MeshData load_mesh(const std::filesystem::path& file, double scale) {
+namespace {
+
+constexpr float kCreaseDegrees = 35.0F;
+constexpr float kPrimitiveColour[3] = {0.75F, 0.45F, 0.03F};  // linear; the yellow of special marks
+
+Eigen::Vector3f turned(const Eigen::Matrix3f& turn, const aiVector3D& v) {
+  return turn * Eigen::Vector3f(v.x, v.y, v.z);
+}
+
+void add_vertex(MeshData& data, const Eigen::Vector3f& p, const Eigen::Vector3f& n, float red, float green,
+                float blue) {
+  data.vertices.push_back({{p.x(), p.y(), p.z()}, {n.x(), n.y(), n.z()}, {red, green, blue}});
+  data.low = data.low.cwiseMin(p);
+  data.high = data.high.cwiseMax(p);
+}
+
+MeshData empty_data() {
+  MeshData data;
+  data.low.setConstant(1e30F);
+  data.high.setConstant(-1e30F);
+  return data;
+}
+
+/// The triangles around each vertex.
+std::vector<std::vector<std::size_t>> triangles_around(const TriangleMesh& mesh) {
+  std::vector<std::vector<std::size_t>> around(mesh.vertices.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const std::uint32_t v : mesh.triangles[t]) around[v].push_back(t);
+  return around;
+}
+
+}  // namespace
+
+MeshData load_mesh(const std::filesystem::path& file, double scale, MeshAxes axes) {
   Assimp::Importer importer;
-  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 35.0F);
+  importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kCreaseDegrees);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_LINE | aiPrimitiveType_POINT);
   const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
                                                               aiProcess_DropNormals | aiProcess_GenSmoothNormals |
                                                               aiProcess_SortByPType | aiProcess_PreTransformVertices);
   if (scene == nullptr) throw GraphicsError("mesh " + file.string() + ": " + importer.GetErrorString());
-  MeshData data;
-  data.low.setConstant(1e30F);
-  data.high.setConstant(-1e30F);
+  MeshData data = empty_data();
+  const Eigen::Matrix3f turn = body_from_file(axes).cast<float>();
   const auto factor = static_cast<float>(scale);
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
     const aiMesh& part = *scene->mMeshes[m];
@@ -25,11 +59,8 @@ MeshData load_mesh(const std::filesystem::path& file, double scale) {
     aiGetMaterialColor(scene->mMaterials[part.mMaterialIndex], AI_MATKEY_COLOR_DIFFUSE, &colour);
     const auto first = static_cast<std::uint32_t>(data.vertices.size());
     for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      const aiVector3D p = part.mVertices[v] * factor;
       const aiVector3D n = part.HasNormals() ? part.mNormals[v] : aiVector3D(0, 0, 1);
-      data.vertices.push_back({{p.x, p.y, p.z}, {n.x, n.y, n.z}, {colour.r, colour.g, colour.b}});
-      data.low = data.low.cwiseMin(Eigen::Vector3f(p.x, p.y, p.z));
-      data.high = data.high.cwiseMax(Eigen::Vector3f(p.x, p.y, p.z));
+      add_vertex(data, turned(turn, part.mVertices[v] * factor), turned(turn, n), colour.r, colour.g, colour.b);
     }
     for (unsigned f = 0; f < part.mNumFaces; ++f)
       if (part.mFaces[f].mNumIndices == 3)
@@ -37,6 +68,36 @@ MeshData load_mesh(const std::filesystem::path& file, double scale) {
   }
   if (data.indices.empty()) throw GraphicsError("mesh " + file.string() + ": holds no triangles");
   return data;
+}
+
+MeshData draw_primitive(const Primitive& primitive) {
+  const TriangleMesh mesh = make_mesh(primitive);
+  const double least_cosine = std::cos(static_cast<double>(kCreaseDegrees) * std::numbers::pi / 180.0);
+  const auto around = triangles_around(mesh);
+  MeshData data = empty_data();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Eigen::Vector3d own = mesh.area_vector(t).normalized();
+    for (const std::uint32_t v : mesh.triangles[t]) {
+      Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+      for (const std::size_t other : around[v])
+        if (const Eigen::Vector3d area = mesh.area_vector(other); own.dot(area) >= least_cosine * area.norm())
+          normal += area;
+      data.indices.push_back(static_cast<std::uint32_t>(data.vertices.size()));
+      add_vertex(data, mesh.vertices[v].cast<float>(), normal.normalized().cast<float>(), kPrimitiveColour[0],
+                 kPrimitiveColour[1], kPrimitiveColour[2]);
+    }
+  }
+  return data;
+}
+
+MeshData load_body_mesh(const std::filesystem::path& folder, const std::string& mesh_file, double scale) {
+  const MeshName name = parse_wire_name(mesh_file);
+  if (name.primitive) return draw_primitive(*name.primitive);
+  const std::filesystem::path file = drawn_mesh_file(folder, name.file);
+  if (file.empty())
+    throw GraphicsError("no mesh " + mesh_file + " in " + folder.string() +
+                        "; it is not drawn (--assets names the folder that holds meshes/)");
+  return load_mesh(file, scale, name.axes);
 }
 
 std::filesystem::path drawn_mesh_file(const std::filesystem::path& folder, const std::string& mesh_file) {

@@ -57,11 +57,14 @@ Breaking breaking_of(std::span<const WaveComponent> waves, double wind) {
   return {1.0 - quantile * deviation, deviation};
 }
 
+/// Of a SurfaceParticle.
+constexpr std::uint8_t kOilPhase = 1;
+
 DrawnParticle drawn(const SurfaceParticle& particle, const Eigen::Vector3f& offset, float ahead) {
   const Eigen::Vector3f centre = particle.position + ahead * particle.velocity + offset;
   const Eigen::Quaternionf& q = particle.orientation;
   return {{centre.x(), centre.y(), centre.z()},
-          static_cast<float>(particle.foam) / 255.0F,
+          particle.phase == kOilPhase ? -1.0F : static_cast<float>(particle.foam) / 255.0F,
           {q.x(), q.y(), q.z(), q.w()},
           {particle.semi_axes.x(), particle.semi_axes.y(), particle.semi_axes.z()},
           static_cast<float>(particle.spray) / 255.0F};
@@ -240,14 +243,8 @@ std::vector<std::string> Renderer::set_scene(const SceneInfo& scene, const std::
   state_->scene = scene;
   state_->meshes.clear();
   for (const BodyInfo& body : scene.bodies) {
-    const std::filesystem::path file = drawn_mesh_file(mesh_folder, body.mesh_file);
-    if (file.empty()) {
-      faults.push_back("body " + std::to_string(body.id) + ": no mesh " + body.mesh_file + " in " +
-                       mesh_folder.string() + "; it is not drawn (--assets names the folder that holds meshes/)");
-      continue;
-    }
     try {
-      state_->meshes[body.id] = std::make_unique<Mesh>(load_mesh(file, body.mesh_scale));
+      state_->meshes[body.id] = std::make_unique<Mesh>(load_body_mesh(mesh_folder, body.mesh_file, body.mesh_scale));
     } catch (const GraphicsError& error) {
       faults.push_back("body " + std::to_string(body.id) + ": " + error.what());
     }

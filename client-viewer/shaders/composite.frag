@@ -102,17 +102,18 @@ float foam_cover(vec2 p, float amount, float footprint) {
   return clamp(amount, 0.0, 1.0) * smoothstep(1.0 - 0.95 * amount, 1.35 - 0.75 * amount, pattern + 0.15);
 }
 
+// `oil` 0..1: how much of the water is covered by it.
 // `flatness` 0: the surface stands up against the view there, and a map of ripples would show contour rings.
-vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float height, vec2 uv, float behind_inverse,
-                 float flatness) {
+vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float oil, float height, vec2 uv,
+                 float behind_inverse, float flatness) {
   vec3 p = d / inverse;
   float distance_to = length(p);
   float footprint_across = 1.0 / (inverse * forward.w);
   float grazing = clamp(-p.z / distance_to, 0.01, 1.0);
   float footprint = footprint_across * pow(grazing, -0.85);
   Detail detail = ripple_detail(p.xy, distance_to, footprint);
-  // on steep water the ripples' map is stretched
-  slope += flatness * detail.slope / (1.0 + 2.5 * dot(slope, slope));
+  // on steep water the ripples' map is stretched; oil damps them
+  slope += (1.0 - 0.8 * oil) * flatness * detail.slope / (1.0 + 2.5 * dot(slope, slope));
   float variance = detail.variance + 0.0008 + 0.010 * wave_axis.z * wave_axis.z * smoothstep(60.0, 900.0, distance_to);
   vec3 n = normalize(vec3(-slope, 1.0));
   vec3 v = -p / distance_to;
@@ -121,7 +122,8 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float height, ve
   if (facing < 0.03) { n = normalize(n + v * (0.03 - facing)); facing = 0.03; }
   float sigma = sqrt(variance);
   // Fresnel of a rough sea (Bruneton, Neyret & Holzschuch 2010)
-  float fresnel = 0.02 + 0.98 * pow(1.0 - facing, 5.0 * exp(-2.69 * sigma)) / (1.0 + 22.7 * pow(sigma, 1.5));
+  float normal_incidence = mix(0.02, 0.037, oil);  // ((n - 1) / (n + 1))^2, n = 1.33 and 1.48
+  float fresnel = normal_incidence + (1.0 - normal_incidence) * pow(1.0 - facing, 5.0 * exp(-2.69 * sigma)) / (1.0 + 22.7 * pow(sigma, 1.5));
   vec3 r = reflect(-v, n);
   r.z = abs(r.z) + 0.05 + 0.9 * sigma;  // rough water mirrors the sky higher up
   r = normalize(r);
@@ -147,6 +149,7 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float height, ve
     vec3 kept = exp(-path * vec3(0.75, 0.30, 0.24));
     body = mix(body, textureLod(opaque_colour, refracted, 0.0).rgb * vec3(0.55, 0.75, 0.75), kept);
   }
+  body = mix(body, vec3(0.030, 0.014, 0.005) * lit, oil);
   vec3 colour = mix(body, reflection, fresnel);
   // Sun glint: slopes that mirror the sun, Gaussian with the unresolved variance
   vec3 halfway = normalize(sun.xyz + v);
@@ -190,8 +193,9 @@ void main() {
     // Crests break where the waves fold the surface most; in the patch its own slopes stand for its longer waves.
     float fold = open_sea.w - 0.7 * weight * max(length(fluid_here.yz) - 0.12, 0.0);
     float crest_foam = 0.82 * smoothstep(level.w + 0.5 * patch_blend.w, level.w - 1.3 * patch_blend.w, fold);
-    float foam = crest_foam + 0.85 * weight * fluid_here.w + hull_foam(p.xy);
-    colour = shade_water(d, water, slope, foam, p.z - level.x, uv, solid, flatness);
+    float oil = weight * smoothstep(0.15, 0.55, -fluid_here.w);
+    float foam = (1.0 - oil) * (crest_foam + 0.85 * weight * max(fluid_here.w, 0.0) + hull_foam(p.xy));
+    colour = shade_water(d, water, slope, foam, oil, p.z - level.x, uv, solid, flatness);
   } else {
     colour = sky_colour(normalize(d), 0.0);
     colour = mix(colour, haze_colour(d), exp(-abs(d.z) / length(d) * 30.0));

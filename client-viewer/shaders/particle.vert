@@ -2,7 +2,7 @@
 // T = R diag(semi axes); in camera axes (right, up, depth) the tangent planes through the eye bound it:
 //   p^2 (A_dd - c_d^2) + 2 p (c_x c_d - A_xd) + (A_xx - c_x^2) = 0,  A = T T^t, c the centre.
 struct Particle {
-  vec4 centre;       // relative to the eye; w: foam 0..1
+  vec4 centre;       // relative to the eye; w: foam 0..1, or -1 for oil
   vec4 orientation;  // quaternion x, y, z, w
   vec4 semi_axes;    // w: spray 0..1
 };
@@ -10,7 +10,7 @@ layout(std430, binding = 0) readonly buffer Particles { Particle particles[]; };
 uniform float inflate;
 out vec3 a;            // ellipsoid-space direction of this pixel's ray, affine in pixels
 flat out vec3 b;       // ellipsoid-space centre
-flat out vec2 traits;  // foam, spray
+flat out vec2 traits;  // foam or oil, spray
 
 vec3 turn(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 vec3 to_camera(vec3 v) { return vec3(dot(v, right.xyz), dot(v, up.xyz), dot(v, forward.xyz)); }

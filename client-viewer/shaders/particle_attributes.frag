@@ -1,4 +1,4 @@
-// Foam of the front layer, summed with smooth weights: (foam * weight, weight).
+// Foam and oil of the front layer, summed with smooth weights: ((foam - oil) * weight, weight).
 in vec3 a;
 flat in vec3 b;
 flat in vec2 traits;

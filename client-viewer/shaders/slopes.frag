@@ -1,4 +1,4 @@
-// Clean-up and slopes of the smoothed surface: (inverse depth, dz/dx, dz/dy, foam).
+// Clean-up and slopes of the smoothed surface: (inverse depth, dz/dx, dz/dy, foam less oil).
 in vec2 ndc;
 layout(binding = 0) uniform sampler2D fluid_inverse_depth;
 layout(binding = 1) uniform sampler2D attributes;

@@ -26,6 +26,23 @@ TEST(SceneFile, TakesTheDefaultsOfWhatIsLeftOut) {
   EXPECT_EQ(particle_count(scene), 9 * 9 * 9);
 }
 
+TEST(SceneFile, ReadsShapes) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"box { size { x: 2 y: 1 z: 0.5 } }", "primitive:box:2x1x0.5"},
+      {"sphere { radius: 0.25 }", "primitive:sphere:0.25"},
+      {"cylinder { radius: 0.5 length: 4 }", "primitive:cylinder:0.5x4"},
+      {"capsule { radius: 0.5 length: 4 }", "primitive:capsule:0.5x4"}};
+  for (const auto& [text, name] : cases) {
+    const SceneResult result =
+        read_with("body { id: 1 position { x: 1 y: 1 z: 1 } shape { " + std::string(text) + " } }");
+    ASSERT_TRUE(result) << result.report();
+    const BodySettings& body = result.scene->bodies.at(0);
+    ASSERT_TRUE(body.primitive);
+    EXPECT_EQ(name_of(*body.primitive), name);
+    EXPECT_TRUE(body.mesh_file.empty());
+  }
+}
+
 TEST(SceneFile, ReadsEveryFieldIntoItsPlace) {
   const SceneResult result = read_with(
       "seed: 18446744073709551615 gravity: 1.62 tank_walls_visible: true frame_rate: 60\n"
@@ -36,7 +53,8 @@ TEST(SceneFile, ReadsEveryFieldIntoItsPlace) {
       "far_sea { beaufort: 6 wave_to_deg: 45 components: 12 }\n"
       "origin { latitude_deg: 38.9 longitude_deg: 121.6 height: 3 }\n"
       "surface { publish_all: true detection_threshold: 0.2 halo: 0.5 }\n"
-      "body { id: 7 name: \"tug\" mesh_file: \"tug.obj\" mesh_scale: 2 sample_inset: 0.5 drive: STATIC\n"
+      "body { id: 7 name: \"tug\" mesh_file: \"tug.glb\" mesh_scale: 2 mesh_axes: Z_FORWARD_Y_UP open: true "
+      "sample_inset: 0.5 drive: STATIC\n"
       "  position { x: 1 y: 1.5 z: 0.5 } orientation { w: 0.6 z: 0.8 } }\n");
   ASSERT_TRUE(result) << result.report();
   const Scene& s = *result.scene;
@@ -75,6 +93,9 @@ TEST(SceneFile, ReadsEveryFieldIntoItsPlace) {
   EXPECT_EQ(s.bodies[0].id, 7u);
   EXPECT_EQ(s.bodies[0].name, "tug");
   EXPECT_EQ(s.bodies[0].mesh_scale, 2.0);
+  EXPECT_EQ(s.bodies[0].mesh_axes, MeshAxes::kZForwardYUp);
+  EXPECT_TRUE(s.bodies[0].open);
+  EXPECT_FALSE(s.bodies[0].primitive);
   EXPECT_EQ(s.bodies[0].sample_inset, 0.5);
   EXPECT_EQ(s.bodies[0].drive, BodyDrive::kStatic);
   EXPECT_EQ(s.bodies[0].position, Eigen::Vector3d(1.0, 1.5, 0.5));

@@ -99,6 +99,26 @@ TEST(ShippedScenes, StormRisesTellsItsStory) {
   EXPECT_TRUE(std::holds_alternative<ClearWind>(scene.events[3].command));
 }
 
+TEST(ShippedScenes, LighthouseIsThePapersInMetresOfTwentyALength) {
+  const Scene scene = load("lighthouse.scene");
+  EXPECT_EQ(particle_count(scene), 34515);
+  EXPECT_EQ(scene.tank.size(), Eigen::Vector3d(100.0, 60.0, 100.0));
+  ASSERT_TRUE(scene.wind);
+  EXPECT_EQ(scene.wind->velocity, Eigen::Vector3d(-18.0, -0.5, 0.0));
+  ASSERT_EQ(scene.bodies.size(), 1u);
+  EXPECT_EQ(scene.bodies[0].drive, BodyDrive::kStatic);
+}
+
+TEST(ShippedScenes, TankerIsThePapersInMetresOfTwentyALength) {
+  const Scene scene = load("tanker.scene");
+  EXPECT_EQ(particle_count(scene), 64251);
+  EXPECT_EQ(scene.tank.size(), Eigen::Vector3d(120.0, 60.0, 100.0));
+  ASSERT_TRUE(scene.wind);
+  EXPECT_EQ(scene.wind->velocity, Eigen::Vector3d(-18.0, -0.5, 0.0));
+  ASSERT_EQ(scene.bodies.size(), 1u);
+  EXPECT_EQ(scene.bodies[0].id, 1u) << "the own ship";
+}
+
 TEST(ShippedScenes, EverySceneLoads) {
   int scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(std::string(PELAGOS_SOURCE_DIR) + "/scenes")) {
@@ -107,7 +127,7 @@ TEST(ShippedScenes, EverySceneLoads) {
     const SceneResult result = read_scene_file(entry.path());
     EXPECT_TRUE(result) << result.report();
   }
-  EXPECT_GE(scenes, 5);
+  EXPECT_GE(scenes, 9);
 }
 
 }  // namespace

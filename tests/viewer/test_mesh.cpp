@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -75,6 +77,32 @@ TEST(CoasterMesh, HasItsSizeAndColours) {
   EXPECT_GE(colours.size(), 10u);
   const MeshData half = load_mesh(kMeshes / "coaster.obj", 0.5);
   EXPECT_NEAR(half.high.x(), 0.5F * ship.high.x(), 1e-5F);
+}
+
+TEST(BodyMesh, DrawsPrimitivesByTheirNames) {
+  const MeshData box = load_body_mesh(kMeshes, "primitive:box:2x1x0.5", 1.0);
+  EXPECT_EQ(box.indices.size(), 36u);
+  EXPECT_EQ(box.low, Eigen::Vector3f(-1.0F, -0.5F, -0.25F));
+  EXPECT_EQ(box.high, Eigen::Vector3f(1.0F, 0.5F, 0.25F));
+  for (const auto& v : box.vertices)  // flat faces: each normal along one axis
+    EXPECT_NEAR(std::max({std::abs(v.normal[0]), std::abs(v.normal[1]), std::abs(v.normal[2])}), 1.0F, 1e-6F);
+  const MeshData ball = load_body_mesh(kMeshes, "primitive:sphere:2", 1.0);
+  for (const auto& v : ball.vertices) {  // smooth: normals along the radius, within half a facet (2.8 degrees)
+    const Eigen::Vector3f n(v.normal), p(v.position);
+    EXPECT_GT(n.dot(p.normalized()), 0.9985F);
+  }
+}
+
+TEST(BodyMesh, TurnsFilesThatAreYUp) {
+  const MeshData as_is = load_body_mesh(kMeshes, "coaster_hull.obj", 1.0);
+  const MeshData turned = load_body_mesh(kMeshes, "y-up:coaster_hull.obj", 1.0);
+  EXPECT_EQ(turned.high, Eigen::Vector3f(as_is.high.z(), as_is.high.x(), as_is.high.y()));
+  EXPECT_EQ(turned.low, Eigen::Vector3f(as_is.low.z(), as_is.low.x(), as_is.low.y()));
+}
+
+TEST(BodyMesh, SaysWhatIsMissing) {
+  EXPECT_THROW((void)load_body_mesh(kMeshes, "ghost.obj", 1.0), GraphicsError);
+  EXPECT_THROW((void)load_body_mesh(kMeshes, "primitive:sphere:-1", 1.0), GraphicsError);
 }
 
 TEST(Mesh, RefusesWhatItCannotRead) {

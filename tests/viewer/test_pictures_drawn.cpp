@@ -83,6 +83,24 @@ TEST_F(Graphics, SeaIsBelowSkyAndDarker) {
       ASSERT_GT(port.depth[static_cast<std::size_t>(y * kWidth + x)], 0.0F) << x << " " << y;
 }
 
+TEST_F(Graphics, OilIsBrownWhereItLies) {
+  SyntheticSea sea(64);
+  const Drawn clean = sea.draw("port");
+  for (SurfaceParticle& particle : sea.frame().particles) particle.phase = 1;
+  const Drawn oily = sea.draw("port");
+  int changed = 0, brown = 0, blue = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const std::uint8_t *before = clean.picture.at(x, y), *after = oily.picture.at(x, y);
+      if (std::abs(before[2] - after[2]) < 8) continue;
+      ++changed;
+      brown += after[0] - after[2] > before[0] - before[2] ? 1 : 0;
+      blue += after[0] - after[2] < before[0] - before[2] ? 1 : 0;
+    }
+  EXPECT_GT(changed, kWidth * kHeight / 50);
+  EXPECT_GT(brown, 10 * blue);
+}
+
 TEST_F(Graphics, ChannelsMeetWithoutASeam) {
   SyntheticSea sea(64);
   const Drawn port = sea.draw("port"), centre = sea.draw("centre");

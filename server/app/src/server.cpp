@@ -101,10 +101,11 @@ void Server::open_world() {
     governor_.emplace(options_.scene, world_->effort());
     log_info(fmt::format("governor: a frame may take {:.1f} ms", governor_->budget() * 1e3));
   }
-  log_info(fmt::format("scene {}: {} particles of {:g} m, {} boundary samples ({} on hulls), {} threads; DDS domain {}",
-                       options_.scene.name, world_->fluid().particles.count, options_.scene.particle_spacing,
-                       world_->fluid().static_walls + world_->bodies().sample_count(), world_->bodies().sample_count(),
-                       options_.threads, options_.domain));
+  log_info(
+      fmt::format("scene {}: {} particles of {:g} m, {} boundary samples ({} on bodies), {} threads; DDS domain {}",
+                  options_.scene.name, world_->fluid().particles.count, options_.scene.particle_spacing,
+                  world_->fluid().static_walls + world_->bodies().moving_sample_count(),
+                  world_->bodies().sample_count(), options_.threads, options_.domain));
 }
 
 ServerSummary Server::run() {

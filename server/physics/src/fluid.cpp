@@ -29,9 +29,8 @@ void place_particles(FluidParticles& p, std::span<const Float4> positions, std::
   if (!phase.empty()) p.phase.resize(padded, kWaterPhase);
 }
 
-void place_tank(TaskPool& pool, FluidState& state) {
-  const FluidParameters& q = state.parameters;
-  std::vector<Float4> samples = sample_tank(pool, q.tank, q.edges, q.spacing, q.support_radius);
+/// Makes these samples the static walls, in cell order.
+void sort_static_walls(TaskPool& pool, FluidState& state, std::span<const Float4> samples) {
   state.static_grid.sort(pool, samples, state.order);
   state.static_grid.mark_near_cells();
   BoundaryParticles& walls = state.walls;
@@ -39,6 +38,11 @@ void place_tank(TaskPool& pool, FluidState& state) {
   walls.position.assign(padded_count(walls.count), kFarRecord);
   walls.velocity.assign(padded_count(walls.count), {});
   for (std::size_t k = 0; k < walls.count; ++k) walls.position[k] = samples[state.order[k]];
+}
+
+void place_tank(TaskPool& pool, FluidState& state) {
+  const FluidParameters& q = state.parameters;
+  sort_static_walls(pool, state, sample_tank(pool, q.tank, q.edges, q.spacing, q.support_radius));
 }
 
 /// The tank and one support radius around it.
@@ -71,6 +75,15 @@ FluidState make_fluid(TaskPool& pool, const FluidParameters& parameters, std::sp
   const std::size_t padded = padded_count(state.particles.count);
   state.source.assign(padded, 0.0F);
   return state;
+}
+
+void add_static_walls(TaskPool& pool, FluidState& state, std::span<const Float4> samples) {
+  assert(state.moving_position.empty());
+  if (samples.empty()) return;
+  const auto tank = state.walls.position.begin();
+  std::vector<Float4> all(tank, tank + static_cast<std::ptrdiff_t>(state.static_walls));
+  all.insert(all.end(), samples.begin(), samples.end());
+  sort_static_walls(pool, state, all);
 }
 
 void advance_fluid(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report) {

@@ -5,14 +5,14 @@
 #include <cassert>
 #include <cmath>
 
-#include "farthest_points.hpp"
+#include "poisson_disk.hpp"
 
 namespace pelagos {
 
 namespace {
 
 constexpr double kCandidateSpacing = 0.25;  ///< of the particle spacing
-constexpr double kLeastDistance = 0.82;     ///< between samples, in spacings: one sample per spacing^2 on a plane
+constexpr double kLeastDistance = 0.8;      ///< between samples, in spacings: one sample per spacing^2 on a plane
 constexpr std::size_t kMostCandidates = 8'000'000;
 constexpr double kDistanceSlack = 0.98;  ///< a candidate nearer to the surface than this part of its inset is dropped
 
@@ -72,8 +72,9 @@ double count_surface_points(const TriangleMesh& mesh, double step) {
 }
 
 /// Points `inset` below the surface, or in the middle where the body is thinner than twice that.
-std::vector<Eigen::Vector3d> make_candidates(const TriangleMesh& mesh, const MeshQuery& surface, double step,
+std::vector<Eigen::Vector3d> make_candidates(const TriangleMesh& mesh, const BodyShape& shape, double step,
                                              double inset) {
+  const MeshQuery& surface = *shape.surface;
   const double tiny = 1e-9 * surface.bounding_box().sizes().maxCoeff();
   std::vector<Eigen::Vector3d> candidates;
   for_each_surface_point(mesh, step, [&](const Eigen::Vector3d& point, const Eigen::Vector3d& inward, bool is_corner) {
@@ -82,12 +83,13 @@ std::vector<Eigen::Vector3d> make_candidates(const TriangleMesh& mesh, const Mes
       return;
     }
     const double thickness = surface.first_hit(point, inward, tiny);
-    if (!std::isfinite(thickness)) return;  // an averaged normal may point out of a thin corner
+    if (!std::isfinite(thickness) && shape.kind == MeshKind::kClosed)
+      return;  // an averaged normal may point out of a thin corner
     const double depth = std::min(inset, 0.5 * thickness);
     const Eigen::Vector3d candidate = point + depth * inward;
     if (depth <= tiny || surface.distance(candidate, inset) < kDistanceSlack * depth) return;
     // Before its first meeting with the surface a ray from a face inwards is inside; an average may point outwards.
-    if (!is_corner || surface.inside(candidate)) candidates.push_back(candidate);
+    if (!is_corner || shape.inside(candidate)) candidates.push_back(candidate);
   });
   return candidates;
 }
@@ -96,24 +98,26 @@ std::vector<Eigen::Vector3d> make_candidates(const TriangleMesh& mesh, const Mes
 
 double BodyShape::signed_distance(const Eigen::Vector3d& point_body, double limit) const {
   const double distance = surface->distance(point_body, limit);
-  return surface->inside(point_body) ? -distance : distance;
+  return inside(point_body) ? -distance : distance;
 }
 
-BodyShape make_body_shape(const TriangleMesh& mesh, double spacing, double inset) {
+BodyShape make_body_shape(const TriangleMesh& mesh, double spacing, double inset, MeshKind kind) {
   BodyShape shape;
-  shape.faults = find_mesh_faults(mesh);
+  shape.kind = kind;
+  shape.faults = find_mesh_faults(mesh, kind);
   const double step = kCandidateSpacing * spacing;
   if (shape.faults.empty() && !(count_surface_points(mesh, step) <= static_cast<double>(kMostCandidates)))
     shape.faults.push_back("the surface of " + std::to_string(mesh_area(mesh)) + " m^2 is too large to sample at " +
                            std::to_string(spacing) + " m: raise particle_spacing or mend mesh_scale");
   if (!shape.faults.empty()) return shape;
 
-  shape.volume = mesh_volume(mesh);
+  if (kind == MeshKind::kClosed) shape.volume = mesh_volume(mesh);
+  for (const auto& [from, to] : rim_edges(mesh)) shape.rim.push_back({mesh.vertices[from], mesh.vertices[to]});
   shape.surface = std::make_shared<const MeshQuery>(mesh);
   for (const Eigen::Vector3d& vertex : mesh.vertices) shape.bounding_box.extend(vertex);
 
-  const auto candidates = make_candidates(mesh, *shape.surface, step, inset * spacing);
-  for (const std::size_t chosen : select_farthest_points(candidates, kLeastDistance * spacing)) {
+  const auto candidates = make_candidates(mesh, shape, step, inset * spacing);
+  for (const std::size_t chosen : select_poisson_disk(candidates, kLeastDistance * spacing)) {
     shape.samples.push_back(candidates[chosen].cast<float>());
     shape.reach = std::max(shape.reach, candidates[chosen].norm());
   }
@@ -121,9 +125,9 @@ BodyShape make_body_shape(const TriangleMesh& mesh, double spacing, double inset
   return shape;
 }
 
-BodyShape load_body_shape(const std::string& path, double scale, double spacing, double inset) {
-  MeshFile file = read_mesh(path, scale);
-  if (file.faults.empty()) return make_body_shape(file.mesh, spacing, inset);
+BodyShape load_body_shape(const std::string& path, const MeshOptions& options, double spacing, double inset) {
+  MeshFile file = read_mesh(path, options);
+  if (file.faults.empty()) return make_body_shape(file.mesh, spacing, inset, options.kind);
   BodyShape shape;
   shape.faults = std::move(file.faults);
   return shape;

@@ -11,30 +11,31 @@ namespace pelagos {
 namespace {
 
 constexpr std::uint32_t kLeafTriangles = 4;
+constexpr double kParallel = 1e-9;    ///< sine of the angle below which an edge lies in a triangle's plane
 constexpr std::size_t kDeepest = 64;  ///< of the tree: halving reaches 4 triangles after log2(n) levels
 
-/// Squared distance from a point to a triangle, by the regions of its plane (Ericson 2005, Real-Time Collision
+/// The place of a triangle nearest to a point, by the regions of its plane (Ericson 2005, Real-Time Collision
 /// Detection, section 5.1.5).
-double squared_distance(const Eigen::Vector3d& point, const Eigen::Vector3d& corner, const Eigen::Vector3d& ab,
-                        const Eigen::Vector3d& ac) {
+Eigen::Vector3d nearest_place(const Eigen::Vector3d& point, const Eigen::Vector3d& corner, const Eigen::Vector3d& ab,
+                              const Eigen::Vector3d& ac) {
   const Eigen::Vector3d ap = point - corner;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0.0 && d2 <= 0.0) return ap.squaredNorm();
+  if (d1 <= 0.0 && d2 <= 0.0) return corner;
   const Eigen::Vector3d bp = ap - ab;
   const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0.0 && d4 <= d3) return bp.squaredNorm();
+  if (d3 >= 0.0 && d4 <= d3) return corner + ab;
   const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return (ap - ab * (d1 / (d1 - d3))).squaredNorm();
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return corner + ab * (d1 / (d1 - d3));
   const Eigen::Vector3d cp = ap - ac;
   const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0.0 && d5 <= d6) return cp.squaredNorm();
+  if (d6 >= 0.0 && d5 <= d6) return corner + ac;
   const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return (ap - ac * (d2 / (d2 - d6))).squaredNorm();
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return corner + ac * (d2 / (d2 - d6));
   const double va = d3 * d6 - d5 * d4;
   if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
-    return (bp - (ac - ab) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)))).squaredNorm();
+    return corner + ab + (ac - ab) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
   const double scale = 1.0 / (va + vb + vc);
-  return (ap - ab * (vb * scale) - ac * (vc * scale)).squaredNorm();
+  return corner + ab * (vb * scale) + ac * (vc * scale);
 }
 
 /// Where the ray meets the triangle, as a distance along it; negative if it does not (Moeller & Trumbore 1997).
@@ -50,6 +51,27 @@ double ray_distance(const Eigen::Vector3d& start, const Eigen::Vector3d& directi
   const double v = direction.dot(q) / determinant;
   if (v < 0.0 || u + v > 1.0) return -1.0;
   return edge2.dot(q) / determinant;
+}
+
+bool share_vertex(const std::array<std::uint32_t, 3>& a, const std::array<std::uint32_t, 3>& b) {
+  return std::any_of(a.begin(), a.end(), [&](std::uint32_t v) { return std::find(b.begin(), b.end(), v) != b.end(); });
+}
+
+Eigen::AlignedBox3d box_of(const Eigen::Vector3d& corner, const Eigen::Vector3d& edge1, const Eigen::Vector3d& edge2) {
+  Eigen::AlignedBox3d box(corner);
+  return box.extend(corner + edge1).extend(corner + edge2);
+}
+
+/// Whether an edge of the first triangle goes through the second.
+bool pierces(const Eigen::Vector3d& corner, const Eigen::Vector3d& edge1, const Eigen::Vector3d& edge2,
+             const Eigen::Vector3d& other, const Eigen::Vector3d& other1, const Eigen::Vector3d& other2) {
+  const Eigen::Vector3d normal = other1.cross(other2);
+  const auto meets = [&](const Eigen::Vector3d& start, const Eigen::Vector3d& way) {
+    if (std::abs(way.dot(normal)) <= kParallel * way.norm() * normal.norm()) return false;
+    const double at = ray_distance(start, way, other, other1, other2);
+    return at >= 0.0 && at <= 1.0;
+  };
+  return meets(corner, edge1) || meets(corner, edge2) || meets(corner + edge1, edge2 - edge1);
 }
 
 bool ray_meets_box(const Eigen::Vector3d& start, const Eigen::Vector3d& inverse, const Eigen::AlignedBox3d& box) {
@@ -68,8 +90,8 @@ MeshQuery::MeshQuery(const TriangleMesh& mesh) {
   triangles_.reserve(order.size());
   if (!order.empty()) build(0, 0, static_cast<std::uint32_t>(order.size()), order, mesh);
   for (const std::uint32_t t : order)
-    triangles_.push_back(
-        {mesh.corner(t, 0), mesh.corner(t, 1) - mesh.corner(t, 0), mesh.corner(t, 2) - mesh.corner(t, 0)});
+    triangles_.push_back({mesh.corner(t, 0), mesh.corner(t, 1) - mesh.corner(t, 0),
+                          mesh.corner(t, 2) - mesh.corner(t, 0), t, mesh.triangles[t]});
   box_ = nodes_[0].box;
 }
 
@@ -106,24 +128,46 @@ void MeshQuery::build(std::uint32_t node, std::uint32_t begin, std::uint32_t end
   build(child + 1, middle, end, order, mesh);
 }
 
-double MeshQuery::distance(const Eigen::Vector3d& point, double limit) const {
-  double nearest = limit * limit;
+template <class Visit>
+void MeshQuery::for_each_near(const Eigen::Vector3d& point, double limit_squared, Visit&& visit) const {
   std::array<std::uint32_t, kDeepest> stack{};
   std::size_t depth = 0;
   if (!triangles_.empty()) stack[depth++] = 0;
   while (depth > 0) {
     const Node& node = nodes_[stack[--depth]];
-    if (node.box.squaredExteriorDistance(point) >= nearest) continue;
+    if (node.box.squaredExteriorDistance(point) >= limit_squared) continue;
     for (std::uint32_t t = node.first; t < node.first + node.count; ++t)
-      nearest =
-          std::min(nearest, squared_distance(point, triangles_[t].corner, triangles_[t].edge1, triangles_[t].edge2));
+      limit_squared =
+          visit(triangles_[t], nearest_place(point, triangles_[t].corner, triangles_[t].edge1, triangles_[t].edge2));
     if (node.count > 0) continue;
     const bool second_nearer = nodes_[node.first + 1].box.squaredExteriorDistance(point) <
                                nodes_[node.first].box.squaredExteriorDistance(point);
     stack[depth++] = node.first + (second_nearer ? 0 : 1);
     stack[depth++] = node.first + (second_nearer ? 1 : 0);
   }
+}
+
+double MeshQuery::distance(const Eigen::Vector3d& point, double limit) const {
+  double nearest = limit * limit;
+  for_each_near(point, nearest, [&](const Triangle&, const Eigen::Vector3d& place) {
+    nearest = std::min(nearest, (point - place).squaredNorm());
+    return nearest;
+  });
   return std::sqrt(nearest);
+}
+
+bool MeshQuery::behind(const Eigen::Vector3d& point) const {
+  constexpr double kSlack = 1.0 + 1e-9;  // of a squared distance: nearer by less is as near
+  double nearest = std::numeric_limits<double>::infinity(), height = 0.0;
+  for_each_near(point, nearest, [&](const Triangle& triangle, const Eigen::Vector3d& place) {
+    const double squared = (point - place).squaredNorm();
+    const double above = triangle.normal().dot(point - place);
+    if (squared * kSlack < nearest || (squared <= nearest * kSlack && std::abs(above) > std::abs(height)))
+      height = above;
+    nearest = std::min(nearest, squared);
+    return nearest * kSlack * kSlack;
+  });
+  return height < 0.0;
 }
 
 template <class Visit>
@@ -138,7 +182,7 @@ void MeshQuery::for_each_hit(const Eigen::Vector3d& start, const Eigen::Vector3d
     if (!ray_meets_box(start, inverse, node.box)) continue;
     for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
       const double hit = ray_distance(start, direction, triangles_[t].corner, triangles_[t].edge1, triangles_[t].edge2);
-      if (hit >= 0.0) visit(hit);
+      if (hit >= 0.0) visit(hit, triangles_[t]);
     }
     if (node.count > 0) continue;
     stack[depth++] = node.first;
@@ -148,7 +192,7 @@ void MeshQuery::for_each_hit(const Eigen::Vector3d& start, const Eigen::Vector3d
 
 double MeshQuery::first_hit(const Eigen::Vector3d& start, const Eigen::Vector3d& direction, double skip) const {
   double first = std::numeric_limits<double>::infinity();
-  for_each_hit(start, direction, [&](double hit) {
+  for_each_hit(start, direction, [&](double hit, const Triangle&) {
     if (hit > skip && hit < first) first = hit;
   });
   return first;
@@ -161,11 +205,46 @@ bool MeshQuery::inside(const Eigen::Vector3d& point) const {
                                                           Eigen::Vector3d(-0.4719, -0.3329, 0.8164).normalized()};
   int votes = 0;
   for (const Eigen::Vector3d& direction : kDirections) {
-    int crossings = 0;
-    for_each_hit(point, direction, [&](double) { ++crossings; });
-    votes += crossings % 2;
+    int windings = 0;
+    for_each_hit(point, direction, [&](double, const Triangle& triangle) {
+      windings += direction.dot(triangle.edge1.cross(triangle.edge2)) > 0.0 ? 1 : -1;
+    });
+    votes += windings > 0 ? 1 : 0;
   }
   return votes >= 2;
+}
+
+template <class Visit>
+void MeshQuery::for_each_in(const Eigen::AlignedBox3d& box, Visit&& visit) const {
+  std::array<std::uint32_t, kDeepest> stack{};
+  std::size_t depth = 0;
+  if (!triangles_.empty()) stack[depth++] = 0;
+  while (depth > 0) {
+    const Node& node = nodes_[stack[--depth]];
+    if (!node.box.intersects(box)) continue;
+    for (std::uint32_t t = node.first; t < node.first + node.count; ++t) visit(triangles_[t]);
+    if (node.count > 0) continue;
+    stack[depth++] = node.first;
+    stack[depth++] = node.first + 1;
+  }
+}
+
+std::size_t MeshQuery::count_self_intersections(std::array<std::uint32_t, 2>* first_pair) const {
+  std::size_t count = 0;
+  std::array<std::uint32_t, 2> lowest{std::numeric_limits<std::uint32_t>::max(), 0};
+  for (const Triangle& a : triangles_) {
+    const Eigen::AlignedBox3d box = box_of(a.corner, a.edge1, a.edge2);
+    for_each_in(box, [&](const Triangle& b) {
+      if (b.number <= a.number || share_vertex(a.vertices, b.vertices)) return;
+      if (!pierces(a.corner, a.edge1, a.edge2, b.corner, b.edge1, b.edge2) &&
+          !pierces(b.corner, b.edge1, b.edge2, a.corner, a.edge1, a.edge2))
+        return;
+      ++count;
+      lowest = std::min(lowest, std::array<std::uint32_t, 2>{a.number, b.number});
+    });
+  }
+  if (first_pair != nullptr && count > 0) *first_pair = lowest;
+  return count;
 }
 
 }  // namespace pelagos

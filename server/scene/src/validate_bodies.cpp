@@ -50,27 +50,6 @@ Eigen::Quaterniond read_orientation(const FieldReader& reader) {
   return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
 }
 
-/// The first of the folders that has the file.
-std::string find_mesh(const FieldReader& reader, const std::string& written, const SceneSource& source) {
-  namespace fs = std::filesystem;
-  if (!source.check_meshes) return written;
-  const fs::path file(written);
-  std::vector<fs::path> places;
-  if (file.is_absolute()) {
-    places.push_back(file);
-  } else {
-    for (const fs::path& folder : source.mesh_folders) places.push_back(folder / file);
-  }
-  std::string looked;
-  for (const fs::path& place : places) {
-    std::error_code error;
-    if (fs::is_regular_file(place, error)) return fs::absolute(place, error).lexically_normal().string();
-    looked += (looked.empty() ? "" : ", ") + place.lexically_normal().string();
-  }
-  reader.fault("mesh_file", "\"" + written + "\" is not there; looked for " + looked);
-  return written;
-}
-
 void read_place(const FieldReader& reader, const std::optional<Box>& tank, BodySettings& body) {
   reader.require("position");
   if (!reader.read("position", {-1e6, 1e6, "m"}, body.position) || !tank) return;
@@ -88,12 +67,9 @@ BodySettings read_body(const FieldReader& reader, const std::optional<Box>& tank
   reader.read("id", {1.0, 4294967295.0}, body.id);
   body.name = "body " + std::to_string(body.id);
   reader.read("name", 64, body.name);
-  reader.require("mesh_file");
-  std::string written;
-  if (reader.read("mesh_file", 1024, written)) body.mesh_file = find_mesh(reader, written, source);
-  reader.read("mesh_scale", {0.001, 1000.0}, body.mesh_scale);
-  reader.read("sample_inset", {0.0, 1.0, "spacings"}, body.sample_inset);
   if (reader.read_enum("drive") == proto::v1::Body::STATIC) body.drive = BodyDrive::kStatic;
+  read_surface_of_body(reader, source, body);
+  reader.read("sample_inset", {0.0, 1.0, "spacings"}, body.sample_inset);
   read_place(reader, tank, body);
   body.orientation = read_orientation(reader);
   return body;

@@ -57,6 +57,9 @@ class BlockReader {
 [[nodiscard]] std::vector<BodySettings> validate_bodies(const FieldReader& scene_reader, const std::optional<Box>& tank,
                                                         const SceneSource& source);
 
+/// What a body's surface is made of: mesh_file and what goes with it, or shape. Its drive must be read already.
+void read_surface_of_body(const FieldReader& body_reader, const SceneSource& source, BodySettings& body);
+
 /// The `event` entries, in their order; each builds on the scene's wind and the events before its time.
 [[nodiscard]] std::vector<SceneEvent> validate_events(const FieldReader& scene_reader, const Basis& basis,
                                                       const std::optional<WindSettings>& wind);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "body_faults.hpp"
 #include "physics/boundary.hpp"
 
 namespace pelagos {
@@ -16,23 +17,12 @@ Eigen::Vector3d to_world(const BodyState& state, const Eigen::Vector3d& body) {
   return state.orientation * body + state.position;
 }
 
-/// Where a body is too near to a periodic face of the tank: it has no image beyond. Empty if nowhere.
-/// @param reach  m, that must stay free
-std::string fault_at_faces(const Scene& scene, const BodySettings& settings, const Eigen::AlignedBox3d& mesh,
-                           double reach) {
-  Eigen::AlignedBox3d place;
-  for (int corner = 0; corner < 8; ++corner)
-    place.extend(settings.position +
-                 settings.orientation * mesh.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
-  for (int axis = 0; axis < 3; ++axis) {
-    if (scene.tank_edges[static_cast<std::size_t>(axis)] != TankEdge::kPeriodic) continue;
-    const double room = std::min(place.min()[axis] - scene.tank.min[axis], scene.tank.max[axis] - place.max()[axis]);
-    if (room >= reach) continue;
-    const auto digits = [](double value) { return std::to_string(value); };
-    return "reaches to " + digits(room) + " m from a periodic face across " + std::string(1, "xyz"[axis]) +
-           "; allowed: at least a support radius, " + digits(reach) + " m, since it has no image beyond";
-  }
-  return {};
+/// The body's shape from its file or primitive.
+BodyShape shape_of(const BodySettings& settings, double spacing) {
+  const MeshKind kind = settings.open ? MeshKind::kOpen : MeshKind::kClosed;
+  if (settings.primitive) return make_body_shape(make_mesh(*settings.primitive), spacing, settings.sample_inset, kind);
+  return load_body_shape(settings.mesh_file, {settings.mesh_scale, settings.mesh_axes, kind}, spacing,
+                         settings.sample_inset);
 }
 
 /// A jump may land on water that stands where the body was before: mapped again, at most so many times.
@@ -44,27 +34,43 @@ Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::v
   for (const BodySettings& settings : scene.bodies) {
     Body body;
     body.settings = settings;
-    body.shape =
-        load_body_shape(settings.mesh_file, settings.mesh_scale, scene.particle_spacing, settings.sample_inset);
-    for (const std::string& fault : body.shape.faults)
-      faults.push_back("body " + std::to_string(settings.id) + " (" + settings.name + "): " + fault);
-    const std::string at_faces = body.shape.faults.empty()
-                                     ? fault_at_faces(scene, settings, body.shape.bounding_box, support_radius)
-                                     : std::string();
-    if (!at_faces.empty())
-      faults.push_back("body " + std::to_string(settings.id) + " (" + settings.name + "): " + at_faces);
+    body.shape = shape_of(settings, scene.particle_spacing);
     body.state.body = settings.id;
     body.state.position = settings.position;
     body.state.orientation = settings.orientation;
     body.state.pose_age = -1.0;
-    body.first_sample = volumes_.size();
     if (settings.drive == BodyDrive::kPose) body.driven.emplace(body.state, scene.particle_spacing, body.shape.reach);
-    std::vector<Float4> samples;
-    for (const Eigen::Vector3f& sample : body.shape.samples) samples.push_back({sample.x(), sample.y(), sample.z(), 0});
-    assign_boundary_volumes(pool, support_radius, samples);
-    for (const Float4& sample : samples) volumes_.push_back(sample.w);
+    add_samples(pool, scene, support_radius, body);
     bodies_.push_back(std::move(body));
   }
+  std::vector<PlacedShape> placed;
+  for (const Body& body : bodies_) placed.push_back({&body.settings, &body.shape});
+  faults = body_faults(scene, support_radius, placed);
+}
+
+void Bodies::add_samples(TaskPool& pool, const Scene& scene, double support_radius, Body& body) {
+  body.first_sample = volumes_.size();
+  std::vector<Float4> samples;
+  for (const Eigen::Vector3f& sample : body.shape.samples) samples.push_back({sample.x(), sample.y(), sample.z(), 0});
+  assign_boundary_volumes(pool, support_radius, samples);
+  for (const Float4& sample : samples) {
+    if (body.driven) {
+      volumes_.push_back(sample.w);
+      continue;
+    }
+    const Eigen::Vector3d x = to_world(body.state, {sample.x, sample.y, sample.z});
+    if (is_within_reach(scene.tank, x, support_radius)) static_.push_back({x, sample.w});
+  }
+}
+
+std::vector<Float4> Bodies::static_samples(const Eigen::Vector3d& origin) const {
+  std::vector<Float4> samples;
+  samples.reserve(static_.size());
+  for (const StaticSample& sample : static_) {
+    const Eigen::Vector3f local = (sample.position - origin).cast<float>();
+    samples.push_back({local.x(), local.y(), local.z(), sample.volume});
+  }
+  return samples;
 }
 
 bool Bodies::covers(const Eigen::Vector3d& point, double clearance) const {
@@ -94,6 +100,7 @@ void Bodies::place(const Eigen::Vector3d& origin, FluidState& fluid) const {
   fluid.moving_position.resize(volumes_.size());
   fluid.moving_velocity.resize(volumes_.size());
   for (const Body& body : bodies_) {
+    if (!body.driven) continue;
     const std::size_t count = body.shape.samples.size();
     place_samples(body.shape, body.state, origin, std::span(fluid.moving_position).subspan(body.first_sample, count),
                   std::span(fluid.moving_velocity).subspan(body.first_sample, count));

@@ -64,7 +64,10 @@ World::World(const Scene& scene, const WorldOptions& options)
       drive_(scene, origin_, water_level_),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
       max_step_(largest_time_step(scene)) {
-  if (!bodies_.empty()) bodies_.place(origin_, fluid_);
+  if (!bodies_.empty()) {
+    add_static_walls(*pool_, fluid_, bodies_.static_samples(origin_));
+    bodies_.place(origin_, fluid_);
+  }
   if (scene_.wind) wind_.emplace(wind_site(scene_, origin_, water_level_), *scene_.wind);
   settle();
   for (std::size_t i = 0; i < fluid_.particles.count; ++i)
@@ -175,7 +178,9 @@ SceneInfo World::describe() const {
                                        scene_.seed, scene_.gravity > 0.0 ? scene_.gravity : kStandardGravity});
   for (const BodySettings& body : scene_.bodies)
     info.bodies.push_back(
-        {body.id, body.name, std::filesystem::path(body.mesh_file).filename().string(), body.mesh_scale});
+        {body.id, body.name,
+         wire_name({body.primitive, body.mesh_axes, std::filesystem::path(body.mesh_file).filename().string()}),
+         body.mesh_scale});
   return info;
 }
 

@@ -100,6 +100,10 @@ void add_particles(FluidState& state, std::span<const Float4> positions, std::sp
 /// from several threads. Returns how many were taken out.
 std::size_t remove_particles(TaskPool& pool, FluidState& state, const std::function<bool(std::size_t)>& unwanted);
 
+/// Adds samples that never move (scenery) to the walls of the tank; V_b in w. Before the first step, without moving
+/// walls. They are sorted once, here: where no water is near they cost nothing, elsewhere as much as a wall.
+void add_static_walls(TaskPool& pool, FluidState& state, std::span<const Float4> samples);
+
 /// Advances the water by dt with the chosen scheme: predict, sort, search, constraints. The accelerations of the last
 /// step act (gravity in the first one). Successive steps should be of like size: a repair u of the density, about
 /// tolerance times spacing, becomes the velocity u / dt, so a step of a hundredth of the last one adds energy. Moving

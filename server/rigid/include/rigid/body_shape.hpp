@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -17,31 +18,39 @@ namespace pelagos {
 /// A body as the water meets it: boundary samples below its surface, and the surface itself. All in body axes.
 struct BodyShape {
   std::vector<Eigen::Vector3f> samples;  ///< m
-  double volume = 0.0;                   ///< m^3, enclosed by the mesh
-  Eigen::AlignedBox3d bounding_box;      ///< m, of the mesh
-  double reach = 0.0;                    ///< m, largest distance of a sample from the body's origin
-  std::vector<std::string> faults;       ///< not empty: the shape cannot be used, and why
+  MeshKind kind = MeshKind::kClosed;
+  double volume = 0.0;                              ///< m^3, enclosed by a closed mesh; 0 for an open one
+  Eigen::AlignedBox3d bounding_box;                 ///< m, of the mesh
+  double reach = 0.0;                               ///< m, largest distance of a sample from the body's origin
+  std::vector<std::array<Eigen::Vector3d, 2>> rim;  ///< m, edges where an open mesh ends
+  std::vector<std::string> faults;                  ///< not empty: the shape cannot be used, and why
   std::shared_ptr<const MeshQuery> surface;
 
-  /// Whether a point (body axes) is inside the mesh. Water must not start there.
-  [[nodiscard]] bool inside(const Eigen::Vector3d& point_body) const { return surface && surface->inside(point_body); }
-  /// Distance to the mesh, m, negative inside; no farther than +-limit.
+  /// Whether a point (body axes) is inside the mesh, or behind an open one. Water must not start there.
+  [[nodiscard]] bool inside(const Eigen::Vector3d& point_body) const {
+    return surface && (kind == MeshKind::kClosed ? surface->inside(point_body) : surface->behind(point_body));
+  }
+  /// Distance to the mesh, m, negative inside or behind; no farther than +-limit.
   [[nodiscard]] double signed_distance(const Eigen::Vector3d& point_body, double limit) const;
 };
 
-/// Samples a closed mesh for boundary particles.
+/// Samples a mesh for boundary particles.
 /// Samples lie on the inner parallel surface, `inset` spacings below the mesh (none: hulls float 11 to 15 % too high;
 /// 0.6 is calibrated on drafts). Where the body is thinner than twice the inset, they lie in its middle. They are
-/// spread by farthest-point selection from a fine cloud of candidates (Eldar et al. 1997, "The farthest point strategy
-/// for progressive image sampling"): no two closer than 0.82 spacings, hence about one for each spacing^2, and no hole
-/// between them wider than that. The same mesh gives the same samples.
-/// @param mesh     without faults; otherwise the shape carries them and is empty
+/// a maximal Poisson-disk set of a fine cloud of candidates (dart throwing as Bowers et al. 2010, "Parallel Poisson
+/// disk sampling with spectrum analysis on surfaces", in a fixed random order): no two closer than 0.8 spacings, no
+/// hole between them wider than that, about one for each spacing^2 as on the tank's walls. The same mesh gives the same
+/// samples. Farthest-point selection (Eldar et al. 1997) keeps the same bounds with 6 % fewer samples, whose volumes
+/// differ more (by 14 % rms instead of 12 %), and takes three to nine times as long.
+/// @param mesh     without faults of this kind; otherwise the shape carries them and is empty
 /// @param spacing  particle spacing d, m, > 0
 /// @param inset    in spacings, >= 0
-[[nodiscard]] BodyShape make_body_shape(const TriangleMesh& mesh, double spacing, double inset);
+[[nodiscard]] BodyShape make_body_shape(const TriangleMesh& mesh, double spacing, double inset,
+                                        MeshKind kind = MeshKind::kClosed);
 
 /// The same from a file (read_mesh); the faults of the file become those of the shape.
-[[nodiscard]] BodyShape load_body_shape(const std::string& path, double scale, double spacing, double inset);
+[[nodiscard]] BodyShape load_body_shape(const std::string& path, const MeshOptions& options, double spacing,
+                                        double inset);
 
 /// Places the samples where the body is: position relative to `origin` (m, world) and velocity of the wall (m/s).
 /// Writes x, y, z of the first samples.size() entries; w is left alone.

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -9,8 +11,8 @@
 
 namespace pelagos {
 
-/// Distances, rays and inside tests on a closed mesh, through a tree of bounding boxes: the time of a query grows with
-/// the logarithm of the number of triangles. Immutable after construction; any number of threads may ask.
+/// Distances, rays and inside tests on a mesh, through a tree of bounding boxes: the time of a query grows with the
+/// logarithm of the number of triangles. Immutable after construction; any number of threads may ask.
 class MeshQuery {
  public:
   MeshQuery() = default;
@@ -24,15 +26,27 @@ class MeshQuery {
   /// @param direction  unit
   [[nodiscard]] double first_hit(const Eigen::Vector3d& start, const Eigen::Vector3d& direction, double skip) const;
 
-  /// Whether `point` is inside, by the parity of crossings of three fixed skew rays, the majority deciding, so that a
-  /// ray which grazes an edge does no harm. Outside the bounding box the answer is immediate.
+  /// Whether `point` is inside a closed mesh: a ray leaves it more often than it enters. So the union of shells that
+  /// overlap is inside. Of three fixed skew rays the majority decides, so that one which grazes an edge does no harm.
+  /// Outside the bounding box the answer is immediate.
   [[nodiscard]] bool inside(const Eigen::Vector3d& point) const;
+
+  /// Whether `point` is behind the nearest face: the inside of an open mesh, which goes on past its rim as its rim
+  /// lies. Of faces equally near, at an edge or a corner, the one seen most steeply decides.
+  [[nodiscard]] bool behind(const Eigen::Vector3d& point) const;
+
+  /// Pairs of triangles that cut each other; pairs that share a vertex are not looked at, and neither is overlap within
+  /// one plane. @param first_pair  out, if not null: the triangles of the first pair found, numbered as in the mesh
+  [[nodiscard]] std::size_t count_self_intersections(std::array<std::uint32_t, 2>* first_pair = nullptr) const;
 
   [[nodiscard]] const Eigen::AlignedBox3d& bounding_box() const { return box_; }
 
  private:
   struct Triangle {
     Eigen::Vector3d corner, edge1, edge2;
+    std::uint32_t number;                   ///< in the mesh
+    std::array<std::uint32_t, 3> vertices;  ///< likewise
+    [[nodiscard]] Eigen::Vector3d normal() const { return edge1.cross(edge2).normalized(); }
   };
   /// A leaf where count > 0: triangles first .. first + count - 1; else children first and first + 1.
   struct Node {
@@ -41,6 +55,11 @@ class MeshQuery {
   };
   void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end, std::vector<std::uint32_t>& order,
              const TriangleMesh& mesh);
+  /// Calls visit(triangle, its nearest place) for triangles nearer than the limit that visit returned last; squared.
+  template <class Visit>
+  void for_each_near(const Eigen::Vector3d& point, double limit_squared, Visit&& visit) const;
+  template <class Visit>
+  void for_each_in(const Eigen::AlignedBox3d& box, Visit&& visit) const;
   template <class Visit>
   void for_each_hit(const Eigen::Vector3d& start, const Eigen::Vector3d& direction, Visit&& visit) const;
 

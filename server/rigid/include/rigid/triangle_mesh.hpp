@@ -1,48 +1,54 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "shapes/mesh_name.hpp"
+#include "shapes/triangle_mesh.hpp"
+
 namespace pelagos {
 
-/// A surface of triangles in body axes (x forward, y port, z up), metres; corners anticlockwise seen from outside.
-struct TriangleMesh {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+/// Whether a mesh encloses a body, or is one side of something larger, as a sea bed is.
+enum class MeshKind {
+  kClosed,  ///< every edge between two triangles
+  kOpen,    ///< may end at a rim; what lies behind its faces is solid
+};
 
-  [[nodiscard]] const Eigen::Vector3d& corner(std::size_t triangle, std::size_t which) const {
-    return vertices[triangles[triangle][which]];
-  }
+/// How a mesh file is to be understood.
+struct MeshOptions {
+  double scale = 1.0;  ///< metres per unit of the file, > 0
+  MeshAxes axes = MeshAxes::kXForwardZUp;
+  MeshKind kind = MeshKind::kClosed;
 };
 
 /// What came out of a mesh file: a mesh, or the reasons why it cannot be used.
 struct MeshFile {
   TriangleMesh mesh;
-  std::vector<std::string> faults;  ///< empty: the mesh is closed and oriented outwards
+  std::vector<std::string> faults;  ///< empty: the mesh passes find_mesh_faults
 };
 
-/// Reads the triangles of a mesh file (OBJ, STL, glTF and what else Assimp knows), all its parts together, multiplies
-/// by `scale`, merges vertices closer than 1e-6 of the size, and checks the result. Axes are taken as they are in the
-/// file. Never throws; at most 512 MB and four million triangles are read.
-/// @param scale  metres per unit of the file, > 0
-[[nodiscard]] MeshFile read_mesh(const std::string& path, double scale);
+/// Reads the triangles of a mesh file (.obj, .stl, .gltf or .glb), all its parts together, turns them into body axes,
+/// multiplies by the scale, merges vertices closer than 1e-6 of the size, and checks the result. Never throws. At most
+/// 512 MB (the files it refers to included) and four million triangles are read; what a file refers to must lie in its
+/// own folder or below.
+[[nodiscard]] MeshFile read_mesh(const std::string& path, const MeshOptions& options = {});
 
 /// Merges vertices closer than `distance`.
 [[nodiscard]] TriangleMesh weld_vertices(const TriangleMesh& mesh, double distance);
 
-/// Whether the mesh encloses a body: numbers in range, no degenerate triangle, each edge between two triangles that
-/// run round it in opposite ways, every closed shell facing outwards. One line for each fault, the first few of a kind
-/// with the place, the rest counted. Triangles are numbered from 1.
-[[nodiscard]] std::vector<std::string> find_mesh_faults(const TriangleMesh& mesh);
+/// Whether the mesh can be a body: numbers in range, no degenerate triangle, each edge between two triangles that run
+/// round it in opposite ways (or at the rim of an open mesh), every closed shell facing outwards. One line for each
+/// fault, the first few of a kind with the place, the rest counted. Triangles are numbered from 1. Whether the surface
+/// cuts itself is another question: count_self_intersections.
+[[nodiscard]] std::vector<std::string> find_mesh_faults(const TriangleMesh& mesh, MeshKind kind = MeshKind::kClosed);
 
 /// Enclosed volume, m^3, by the divergence theorem; negative where the mesh faces inwards.
 [[nodiscard]] double mesh_volume(const TriangleMesh& mesh);
 
 /// Surface area, m^2.
 [[nodiscard]] double mesh_area(const TriangleMesh& mesh);
+
+/// The edges at the rim of an open mesh: those that one triangle has, from the lower to the higher vertex.
+[[nodiscard]] std::vector<std::array<std::uint32_t, 2>> rim_edges(const TriangleMesh& mesh);
 
 }  // namespace pelagos

@@ -14,16 +14,23 @@
 
 namespace pelagos {
 
-/// The rigid bodies of a world and their samples in the water's moving walls.
+/// The rigid bodies of a world and their samples in the water's walls: those of STATIC bodies among the walls that
+/// never move, the others among the moving ones.
 class Bodies {
  public:
   Bodies() = default;
 
-  /// Loads and samples all shapes. @param faults  out: what is wrong with which body; then nothing can be used
+  /// Loads and samples all shapes, and looks whether each has its place (body_faults).
+  /// @param faults  out: what is wrong with which body; then nothing can be used
   Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::vector<std::string>& faults);
 
   [[nodiscard]] bool empty() const { return bodies_.empty(); }
-  [[nodiscard]] std::size_t sample_count() const { return volumes_.size(); }
+  [[nodiscard]] std::size_t sample_count() const { return volumes_.size() + static_.size(); }
+  [[nodiscard]] std::size_t moving_sample_count() const { return volumes_.size(); }
+
+  /// The samples of STATIC bodies, local coordinates, V_b in w; those out of the water's reach, a support radius beyond
+  /// the tank, are left out.
+  [[nodiscard]] std::vector<Float4> static_samples(const Eigen::Vector3d& origin) const;
 
   /// Whether a point (m, world) is inside a hull or closer to it than `clearance`.
   [[nodiscard]] bool covers(const Eigen::Vector3d& point, double clearance) const;
@@ -31,8 +38,8 @@ class Bodies {
   /// Takes a validated pose. False if no body follows poses under its id or it is not newer than the last one.
   bool accept(const BodyPose& pose, double now);
 
-  /// Moves all bodies from `now` to `now + dt` and places their samples. Water that a jumping body lands on is carried
-  /// to where that body was: nothing is lost, nothing is trapped.
+  /// Moves all driven bodies from `now` to `now + dt` and places their samples. Water that a jumping body lands on is
+  /// carried to where that body was: nothing is lost, nothing is trapped.
   void advance(double now, double dt, const Eigen::Vector3d& origin, FluidState& fluid);
 
   /// Places the samples of the present states; once before the first step.
@@ -57,13 +64,19 @@ class Bodies {
     BodyShape shape;
     std::optional<DrivenBody> driven;
     BodyState state;
-    std::size_t first_sample = 0;
+    std::size_t first_sample = 0;  ///< among the moving ones
   };
+  struct StaticSample {
+    Eigen::Vector3d position;  ///< m, world
+    float volume;              ///< V_b, m^3
+  };
+  void add_samples(TaskPool& pool, const Scene& scene, double support_radius, Body& body);
   void relocate_water(const Body& body, const BodyState& before, const Eigen::Vector3d& origin,
                       FluidState& fluid) const;
 
   std::vector<Body> bodies_;
-  std::vector<float> volumes_;  ///< V_b of all samples, m^3
+  std::vector<float> volumes_;  ///< V_b of the moving samples, m^3
+  std::vector<StaticSample> static_;
 };
 
 }  // namespace pelagos

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "shapes/mesh_name.hpp"
 #include "values/command.hpp"
 #include "values/current.hpp"
 #include "values/oil.hpp"
@@ -142,8 +143,11 @@ enum class BodyDrive {
 struct BodySettings {
   std::uint32_t id = 0;  ///< unique, >= 1; own ship is 1 by convention
   std::string name;
-  std::string mesh_file;  ///< absolute path; body axes x forward, y port, z up (see docs), metres
-  double mesh_scale = 1.0;
+  std::string mesh_file;               ///< absolute path; empty where there is a primitive
+  std::optional<Primitive> primitive;  ///< in place of a mesh file
+  double mesh_scale = 1.0;             ///< m per unit of the file
+  MeshAxes mesh_axes = MeshAxes::kXForwardZUp;
+  bool open = false;          ///< the mesh is one side of something larger; static bodies only
   double sample_inset = 0.6;  ///< samples lie this many spacings inside the surface
   BodyDrive drive = BodyDrive::kPose;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< m, world frame, of the body's origin

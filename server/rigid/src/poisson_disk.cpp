@@ -1,15 +1,19 @@
-#include "farthest_points.hpp"
+#include "poisson_disk.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <queue>
+#include <cstdint>
+#include <utility>
+
+#include "waves/splitmix.hpp"
 
 namespace pelagos {
 
 namespace {
+
+constexpr std::uint64_t kSeed = 2010;
 
 /// Points sorted into cells, so that those near a place are found without looking at all.
 class PointGrid {
@@ -67,46 +71,33 @@ class PointGrid {
   std::vector<std::size_t> begin_, member_;
 };
 
-struct Entry {
-  double squared_distance;
-  std::size_t point;
-  bool operator<(const Entry& other) const {
-    return squared_distance != other.squared_distance ? squared_distance < other.squared_distance : point > other.point;
-  }
-};
+/// A random order of so many points; the same one each time.
+std::vector<std::uint32_t> shuffle(std::size_t count) {
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(count);
+  SplitMix64 random(kSeed);
+  for (std::size_t p = 0; p < count; ++p) keys[p] = {random.next(), static_cast<std::uint32_t>(p)};
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order(count);
+  std::transform(keys.begin(), keys.end(), order.begin(), [](const auto& key) { return key.second; });
+  return order;
+}
 
 }  // namespace
 
-std::vector<std::size_t> select_farthest_points(std::span<const Eigen::Vector3d> points, double least_distance) {
+std::vector<std::size_t> select_poisson_disk(std::span<const Eigen::Vector3d> points, double least_distance) {
   std::vector<std::size_t> chosen;
   if (points.empty()) return chosen;
   const PointGrid grid(points, least_distance);
-  std::vector<double> nearest(points.size(), std::numeric_limits<double>::infinity());  // squared, to the chosen ones
-  std::priority_queue<Entry> queue;  // an entry that no longer agrees with `nearest` is out of date
+  std::vector<std::uint8_t> covered(points.size(), 0);
   const double least_squared = least_distance * least_distance;
-
-  std::size_t next = 0;
-  double radius = std::numeric_limits<double>::infinity();  // nothing farther away can change
-  for (;;) {
+  for (const std::uint32_t next : shuffle(points.size())) {
+    if (covered[next] != 0) continue;
     chosen.push_back(next);
-    const Eigen::Vector3d place = points[next];
-    const auto update = [&](std::size_t p) {
-      const double squared = (points[p] - place).squaredNorm();
-      if (!(squared < nearest[p])) return;
-      nearest[p] = squared;
-      if (squared >= least_squared) queue.push({squared, p});
-    };
-    if (std::isinf(radius)) {
-      for (std::size_t p = 0; p < points.size(); ++p) update(p);
-    } else {
-      grid.for_each_near(place, radius, update);
-    }
-    while (!queue.empty() && queue.top().squared_distance != nearest[queue.top().point]) queue.pop();
-    if (queue.empty()) return chosen;
-    next = queue.top().point;
-    radius = std::sqrt(queue.top().squared_distance);
-    queue.pop();
+    grid.for_each_near(points[next], least_distance, [&](std::size_t p) {
+      if ((points[p] - points[next]).squaredNorm() < least_squared) covered[p] = 1;
+    });
   }
+  return chosen;
 }
 
 }  // namespace pelagos

@@ -1,0 +1,143 @@
+#include "body_faults.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pelagos {
+
+namespace {
+
+std::string digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string describe(const Eigen::Vector3d& v) {
+  return "(" + digits(v.x()) + ", " + digits(v.y()) + ", " + digits(v.z()) + ")";
+}
+
+std::string name_of(const PlacedShape& body) {
+  return "body " + std::to_string(body.settings->id) + " (" + body.settings->name + ")";
+}
+
+Eigen::Vector3d to_world(const PlacedShape& body, const Eigen::Vector3d& x) {
+  return body.settings->orientation * x + body.settings->position;
+}
+
+/// The box around a body, world axes.
+Eigen::AlignedBox3d place_of(const PlacedShape& body) {
+  Eigen::AlignedBox3d place;
+  for (int corner = 0; corner < 8; ++corner)
+    place.extend(to_world(body, body.shape->bounding_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
+  return place;
+}
+
+/// The faults of the mesh; with a hint where an open mesh may have been meant.
+void check_mesh(const PlacedShape& body, std::vector<std::string>& faults) {
+  bool has_rim = false;
+  for (const std::string& fault : body.shape->faults) {
+    faults.push_back(fault);
+    has_rim = has_rim || fault.find("open edge") != std::string::npos;
+  }
+  if (has_rim && body.settings->drive == BodyDrive::kStatic)
+    faults.emplace_back("if the mesh is one side of something larger, as a sea bed is, say open: true");
+}
+
+void check_in_tank(const Scene& scene, double support_radius, const PlacedShape& body,
+                   std::vector<std::string>& faults) {
+  const auto& samples = body.shape->samples;
+  const bool reached = std::any_of(samples.begin(), samples.end(), [&](const Eigen::Vector3f& sample) {
+    return is_within_reach(scene.tank, to_world(body, sample.cast<double>()), support_radius);
+  });
+  if (reached) return;
+  const Eigen::AlignedBox3d place = place_of(body);
+  faults.push_back("its surface lies outside the tank, at " + describe(place.min()) + " to " + describe(place.max()) +
+                   " m; allowed: some of it within " + describe(scene.tank.min) + " to " + describe(scene.tank.max));
+}
+
+/// A body has no image beyond periodic faces.
+void check_faces(const Scene& scene, double support_radius, const PlacedShape& body, std::vector<std::string>& faults) {
+  const Eigen::AlignedBox3d place = place_of(body);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (scene.tank_edges[static_cast<std::size_t>(axis)] != TankEdge::kPeriodic) continue;
+    const double room = std::min(place.min()[axis] - scene.tank.min[axis], scene.tank.max[axis] - place.max()[axis]);
+    if (room >= support_radius) continue;
+    faults.push_back("reaches to " + digits(room) + " m from a periodic face across " + std::string(1, "xyz"[axis]) +
+                     "; allowed: at least a support radius, " + digits(support_radius) +
+                     " m, since it has no image beyond");
+    return;
+  }
+}
+
+/// Whether water that starts in a block could stand at a point off the tank's faces.
+bool stands_in_water(const Scene& scene, const Eigen::Vector3d& x) {
+  const double margin = 1.5 * scene.particle_spacing;  // so near to a face no particle fits past a rim
+  const auto within = [&](const Box& box, double by) {
+    return (x.array() > box.min.array() + by).all() && (x.array() < box.max.array() - by).all();
+  };
+  return within(scene.tank, margin) && std::any_of(scene.water.blocks.begin(), scene.water.blocks.end(),
+                                                   [&](const Box& block) { return within(block, 0.0); });
+}
+
+/// Water would run behind an open mesh where its rim stands in it.
+void check_rim(const Scene& scene, const PlacedShape& body, std::vector<std::string>& faults) {
+  for (const auto& [from, to] : body.shape->rim) {
+    const Eigen::Vector3d a = to_world(body, from), b = to_world(body, to);
+    const double parts = std::ceil((b - a).norm() / scene.particle_spacing);
+    for (double part = 0.0; part <= parts; part += 1.0) {
+      const Eigen::Vector3d x = a + part / parts * (b - a);
+      if (!stands_in_water(scene, x)) continue;
+      faults.push_back("the rim of its open mesh stands in water at " + describe(x) +
+                       " m, which would run behind it; allowed: rims at the tank's faces or above the water");
+      return;
+    }
+  }
+}
+
+/// How many samples of a body are inside the other.
+std::size_t samples_inside(const PlacedShape& body, const PlacedShape& other) {
+  if (other.shape->kind == MeshKind::kClosed && !place_of(body).intersects(place_of(other))) return 0;
+  const Eigen::Quaterniond back = other.settings->orientation.conjugate();
+  const auto& samples = body.shape->samples;
+  return static_cast<std::size_t>(std::count_if(samples.begin(), samples.end(), [&](const Eigen::Vector3f& sample) {
+    const Eigen::Vector3d world = to_world(body, sample.cast<double>());
+    return other.shape->inside(back * (world - other.settings->position));
+  }));
+}
+
+void check_overlap(const PlacedShape& body, const PlacedShape& other, std::vector<std::string>& faults) {
+  const std::size_t inside = samples_inside(body, other), all = body.shape->samples.size();
+  const bool both_static = body.settings->drive == BodyDrive::kStatic && other.settings->drive == BodyDrive::kStatic;
+  if (inside == 0 || (both_static && inside < all)) return;
+  faults.push_back("stands in " + name_of(other) + ": " + std::to_string(inside) + " of its " + std::to_string(all) +
+                   " boundary samples are inside it; allowed: " +
+                   (both_static ? "static bodies that stand in one another in part" : "bodies apart at the start"));
+}
+
+}  // namespace
+
+bool is_within_reach(const Box& tank, const Eigen::Vector3d& world, double support_radius) {
+  return (world.array() >= tank.min.array() - support_radius).all() &&
+         (world.array() <= tank.max.array() + support_radius).all();
+}
+
+std::vector<std::string> body_faults(const Scene& scene, double support_radius, std::span<const PlacedShape> bodies) {
+  std::vector<std::string> all;
+  for (const PlacedShape& body : bodies) {
+    std::vector<std::string> faults;
+    check_mesh(body, faults);
+    if (faults.empty()) {
+      check_in_tank(scene, support_radius, body, faults);
+      check_faces(scene, support_radius, body, faults);
+      check_rim(scene, body, faults);
+      for (const PlacedShape& other : bodies)
+        if (other.settings != body.settings && other.shape->faults.empty()) check_overlap(body, other, faults);
+    }
+    for (const std::string& fault : faults) all.push_back(name_of(body) + ": " + fault);
+  }
+  return all;
+}
+
+}  // namespace pelagos

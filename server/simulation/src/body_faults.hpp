@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rigid/body_shape.hpp"
+#include "values/scene.hpp"
+
+namespace pelagos {
+
+/// A body where the scene puts it.
+struct PlacedShape {
+  const BodySettings* settings = nullptr;
+  const BodyShape* shape = nullptr;
+};
+
+/// Whether a sample is where the water's support may reach: in the tank or not farther than a support radius from it.
+[[nodiscard]] bool is_within_reach(const Box& tank, const Eigen::Vector3d& world, double support_radius);
+
+/// What is wrong with the bodies of a scene, one line each, which begins with the body: faults of the mesh; a body
+/// outside the tank, nearer than a support radius to a periodic face, or inside another one; an open mesh whose rim
+/// stands in water. STATIC bodies may stand in one another (a tower on a rock), but none altogether.
+[[nodiscard]] std::vector<std::string> body_faults(const Scene& scene, double support_radius,
+                                                   std::span<const PlacedShape> bodies);
+
+}  // namespace pelagos

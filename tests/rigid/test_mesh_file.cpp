@@ -1,0 +1,175 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "rigid/triangle_mesh.hpp"
+#include "test_meshes.hpp"
+
+namespace pelagos {
+namespace {
+
+using test::make_box;
+using test::make_sphere;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+/// A file in the temporary folder that goes with the test.
+class TemporaryFile {
+ public:
+  TemporaryFile(const std::string& name, const std::string& text)
+      : path_(std::filesystem::temp_directory_path() / ("pelagos_" + std::to_string(getpid()) + "_" + name)) {
+    std::ofstream(path_) << text;
+  }
+  ~TemporaryFile() { std::filesystem::remove(path_); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  [[nodiscard]] std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string obj_of(const TriangleMesh& mesh) {
+  std::string text;
+  for (const auto& v : mesh.vertices)
+    text += "v " + std::to_string(v.x()) + " " + std::to_string(v.y()) + " " + std::to_string(v.z()) + "\n";
+  for (const auto& t : mesh.triangles)
+    text += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " + std::to_string(t[2] + 1) + "\n";
+  return text;
+}
+
+/// Every corner its own vertex, as in STL.
+std::string stl_of(const TriangleMesh& mesh) {
+  std::string text = "solid body\n";
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto& v = mesh.corner(t, c);
+      text += "vertex " + std::to_string(v.x()) + " " + std::to_string(v.y()) + " " + std::to_string(v.z()) + "\n";
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid body\n";
+}
+
+TEST(MeshFile, ReadsObjAndStlAlike) {
+  const auto sphere = make_sphere(1.5, 10);
+  const TemporaryFile obj("sphere.obj", obj_of(sphere)), stl("sphere.stl", stl_of(sphere));
+  for (const auto& path : {obj.path(), stl.path()}) {
+    const MeshFile file = read_mesh(path, {2.0});
+    ASSERT_THAT(file.faults, IsEmpty()) << file.faults.front();
+    EXPECT_EQ(file.mesh.vertices.size(), sphere.vertices.size());
+    EXPECT_EQ(file.mesh.triangles.size(), sphere.triangles.size());
+    EXPECT_NEAR(mesh_volume(file.mesh), 8 * mesh_volume(sphere), 1e-4);  // six decimals in the file
+  }
+}
+
+TEST(MeshFile, SaysWhatIsWrongWithTheFile) {
+  EXPECT_THAT(read_mesh("/nowhere/hull.obj").faults, Contains(HasSubstr("/nowhere/hull.obj")));
+  const TemporaryFile garbage("garbage.obj", "v one two\nf 7 8 9\n\x01\x02");
+  EXPECT_FALSE(read_mesh(garbage.path()).faults.empty());
+  const TemporaryFile empty("empty.stl", "");
+  EXPECT_FALSE(read_mesh(empty.path()).faults.empty());
+  const TemporaryFile box("box.obj", obj_of(make_box({0, 0, 0}, {1, 1, 1})));
+  EXPECT_THAT(read_mesh(box.path(), {-1.0}).faults, Contains(HasSubstr("scale")));
+  EXPECT_THAT(read_mesh(box.path(), {std::numeric_limits<double>::infinity()}).faults, Contains(HasSubstr("scale")));
+  EXPECT_THAT(read_mesh(box.path(), {1e9}).faults, Contains(HasSubstr("1e6 m")));
+}
+
+/// A glTF file of a box 2 m wide (x), 1 m high (y) and 4 m long (z), its numbers in the file itself or beside it.
+std::string gltf_of_box(const std::string& buffer_uri) {
+  const auto box = make_box({-1, 0, -2}, {1, 1, 2});
+  std::string text = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+                     R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[)"
+                     R"({"bufferView":0,"componentType":5126,"count":8,"type":"VEC3","min":[-1,0,-2],"max":[1,1,2]},)"
+                     R"({"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"}],"bufferViews":[)"
+                     R"({"buffer":0,"byteOffset":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":72}],)"
+                     R"("buffers":[{"byteLength":168,"uri":")";
+  return text + buffer_uri + "\"}]}";
+}
+
+std::string bytes_of_box() {
+  const auto box = make_box({-1, 0, -2}, {1, 1, 2});
+  std::string bytes;
+  for (const auto& v : box.vertices)
+    for (const double c : {v.x(), v.y(), v.z()}) {
+      const auto value = static_cast<float>(c);
+      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);  // little-endian machines only
+    }
+  for (const auto& t : box.triangles)
+    for (const std::uint32_t v : t) bytes.append({static_cast<char>(v), 0});
+  return bytes;
+}
+
+std::string base64_of(const std::string& bytes) {
+  const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t k = 0; k + 2 < bytes.size(); k += 3) {
+    const auto byte = [&](std::size_t n) { return static_cast<unsigned>(static_cast<unsigned char>(bytes[k + n])); };
+    const unsigned all = byte(0) << 16 | byte(1) << 8 | byte(2);
+    for (int shift = 18; shift >= 0; shift -= 6) text += digits[all >> shift & 63];
+  }
+  return text;
+}
+
+TEST(MeshFile, TurnsGltfIntoBodyAxes) {
+  const TemporaryFile file("box.gltf",
+                           gltf_of_box("data:application/octet-stream;base64," + base64_of(bytes_of_box())));
+  MeshOptions options;
+  const MeshFile as_written = read_mesh(file.path(), options);
+  ASSERT_THAT(as_written.faults, IsEmpty()) << as_written.faults.front();
+  options.axes = MeshAxes::kZForwardYUp;
+  const MeshFile turned = read_mesh(file.path(), options);
+  ASSERT_THAT(turned.faults, IsEmpty()) << turned.faults.front();
+  Eigen::AlignedBox3d before, after;
+  for (const auto& v : as_written.mesh.vertices) before.extend(v);
+  for (const auto& v : turned.mesh.vertices) after.extend(v);
+  EXPECT_EQ(before.sizes(), Eigen::Vector3d(2, 1, 4));
+  EXPECT_EQ(after.min(), Eigen::Vector3d(-2, -1, 0)) << "4 m along x, 2 m along y, 1 m up";
+  EXPECT_EQ(after.max(), Eigen::Vector3d(2, 1, 1));
+}
+
+TEST(MeshFile, ReadsWhatLiesBesideTheFileAndNothingElse) {
+  const TemporaryFile buffer("buffer.bin", bytes_of_box());
+  const std::string name = std::filesystem::path(buffer.path()).filename().string();
+  const TemporaryFile beside("beside.gltf", gltf_of_box(name));
+  EXPECT_THAT(read_mesh(beside.path()).faults, IsEmpty());
+  const std::string outside = "../etc/passwd";
+  const TemporaryFile gltf("outside.gltf", gltf_of_box(outside));
+  EXPECT_THAT(read_mesh(gltf.path()).faults, testing::ElementsAre(HasSubstr("etc/passwd; allowed: files in the mesh")));
+  const TemporaryFile obj("outside.obj", "mtllib " + outside + "\n" + obj_of(make_sphere(1.0, 4)));
+  EXPECT_THAT(read_mesh(obj.path()).faults, testing::ElementsAre(HasSubstr("own folder or below")));
+  const TemporaryFile link("link.bin", "");
+  std::filesystem::remove(link.path());
+  std::filesystem::create_symlink("/etc/passwd", link.path());
+  const TemporaryFile linked("linked.gltf", gltf_of_box(std::filesystem::path(link.path()).filename().string()));
+  EXPECT_THAT(read_mesh(linked.path()).faults, testing::ElementsAre(HasSubstr("link.bin; allowed")));
+  const TemporaryFile missing("missing.gltf", gltf_of_box("no_such_file.bin"));
+  EXPECT_THAT(read_mesh(missing.path()).faults, SizeIs(1));
+}
+
+TEST(MeshFile, NamesTheEndingsThatItReads) {
+  const TemporaryFile file("box.fbx", obj_of(make_box({0, 0, 0}, {1, 1, 1})));
+  EXPECT_THAT(read_mesh(file.path()).faults, testing::ElementsAre(HasSubstr("allowed: .obj, .stl, .gltf, .glb")));
+}
+
+TEST(MeshFile, SurvivesFilesThatAreCutOff) {
+  const std::string texts[] = {obj_of(make_sphere(1.0, 4)), stl_of(make_sphere(1.0, 4)),
+                               gltf_of_box("data:application/octet-stream;base64," + base64_of(bytes_of_box()))};
+  const char* names[] = {"cut.obj", "cut.stl", "cut.gltf"};
+  for (std::size_t kind = 0; kind < 3; ++kind)
+    for (std::size_t part = 0; part < 40; ++part) {
+      const TemporaryFile file(names[kind], texts[kind].substr(0, texts[kind].size() * part / 41));
+      EXPECT_FALSE(read_mesh(file.path()).faults.empty()) << names[kind] << ", part " << part;
+    }
+}
+
+}  // namespace
+}  // namespace pelagos
