@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "command_line/number_check.hpp"
 #include "version/version.hpp"
 
 namespace pelagos {
@@ -53,10 +54,10 @@ std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
     return app.add_option(name, value, std::string(text) + " (headless)")->needs(headless)->capture_default_str();
   };
   add_headless("--frames", options.frames, "end after so many frames; 0: no limit");
-  add_headless("--duration", options.duration, "end after so many seconds; 0: no limit")->check(CLI::Range(0.0, 1e6));
+  add_headless("--duration", options.duration, "end after so many seconds; 0: no limit")->check(NumberFrom(0.0, 1e6));
   add_headless("--every", options.every, "seconds between pictures written; 0: each frame")
-      ->check(CLI::Range(0.0, 1e5));
-  add_headless("--wait", options.wait, "seconds to wait for a server")->check(CLI::Range(0.0, 1e5));
+      ->check(NumberFrom(0.0, 1e5));
+  add_headless("--wait", options.wait, "seconds to wait for a server")->check(NumberFrom(0.0, 1e5));
   add_headless("--out", options.out, "folder for pictures and report");
   try {
     app.parse(argc, argv);

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <thread>
 
+#include "command_line/number_check.hpp"
 #include "pelagos.h"  // generated from idl/pelagos.idl
 #include "pelagos_dds/entities.hpp"
 #include "track.hpp"
@@ -53,11 +54,11 @@ void describe_options(CLI::App& app, Options& o) {
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   app.add_option("--sender", o.sender, "number that tells this bridge from others")->capture_default_str();
-  app.add_option("--duration", o.duration, "s (default: length of the track file, or 60)")->check(CLI::Range(0.0, 1e7));
-  app.add_option("--rate", o.rate, "poses a second")->check(CLI::Range(0.1, 1000.0))->capture_default_str();
+  app.add_option("--duration", o.duration, "s (default: length of the track file, or 60)")->check(NumberFrom(0.0, 1e7));
+  app.add_option("--rate", o.rate, "poses a second")->check(NumberFrom(0.1, 1000.0))->capture_default_str();
   app.add_option("--track", o.track_file, "CSV: time,east,north,heading_deg[,up,pitch_deg,roll_deg], s, m, degrees");
-  const CLI::Range place(-1e5, 1e5);
-  const CLI::Range radius(0.1, 1e5);
+  const NumberFrom place(-1e5, 1e5);
+  const NumberFrom radius(0.1, 1e5);
   app.add_option("--east", o.oval.east, "built-in oval: centre, m")->check(place)->capture_default_str();
   app.add_option("--north", o.oval.north, "built-in oval: centre, m")->check(place)->capture_default_str();
   app.add_option("--radius", o.oval.radius_east, "built-in oval: half its width, m")
@@ -65,14 +66,14 @@ void describe_options(CLI::App& app, Options& o) {
       ->capture_default_str();
   app.add_option("--radius-north", o.radius_north, "built-in oval: half its length, m (default: a circle)")
       ->check(radius);
-  app.add_option("--speed", o.oval.speed, "built-in oval: m/s")->check(CLI::Range(0.0, 50.0))->capture_default_str();
+  app.add_option("--speed", o.oval.speed, "built-in oval: m/s")->check(NumberFrom(0.0, 50.0))->capture_default_str();
   app.add_option("--water-level", o.oval.up, "built-in oval: m")->check(place)->capture_default_str();
   app.add_option("--draft", o.draft, "built-in oval: the ship's origin is that far below the water level, m")
       ->check(place);
-  app.add_option("--heave", o.heave, "m, amplitude (default: 0.1, with a file 0)")->check(CLI::Range(0.0, 20.0));
+  app.add_option("--heave", o.heave, "m, amplitude (default: 0.1, with a file 0)")->check(NumberFrom(0.0, 20.0));
   app.add_option("--pitch", o.pitch_deg, "degrees, amplitude (default: 1.5, with a file 0)")
-      ->check(CLI::Range(0.0, 45.0));
-  app.add_option("--roll", o.roll_deg, "degrees, amplitude (default: 3, with a file 0)")->check(CLI::Range(0.0, 60.0));
+      ->check(NumberFrom(0.0, 45.0));
+  app.add_option("--roll", o.roll_deg, "degrees, amplitude (default: 3, with a file 0)")->check(NumberFrom(0.0, 60.0));
 }
 
 /// Empty, and a message on stderr, if the track file is no good.

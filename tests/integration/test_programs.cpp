@@ -374,6 +374,57 @@ TEST(Viewer, EndsWhereNoServerIs) {
   EXPECT_THAT(viewer.errors(), HasSubstr("no server"));
 }
 
+struct WrongNumber {
+  std::vector<std::string> command;  ///< without the option
+  std::string option, value, allowed;
+};
+
+class CommandLine : public testing::TestWithParam<WrongNumber> {};
+
+TEST_P(CommandLine, RefusesANumberThatIsNoneOrOutOfRange) {
+  const WrongNumber& wrong = GetParam();
+  std::vector<std::string> arguments = wrong.command;
+  arguments.front() = program(arguments.front());
+  arguments.insert(arguments.end(), {wrong.option, wrong.value});
+  RunningProgram run(arguments);
+  EXPECT_EQ(run.wait(kPatience), 2);
+  EXPECT_THAT(run.errors(), HasSubstr(wrong.option + ": is " + wrong.value + "; allowed: " + wrong.allowed));
+}
+
+const std::vector<std::string> kBench = {"pelagos-bench", "run", "--scene", scene("still_water")};
+const std::vector<std::string> kViewer = {"pelagos-viewer", "--channel", "centre", "--headless"};
+
+INSTANTIATE_TEST_SUITE_P(Numbers, CommandLine,
+                         testing::Values(WrongNumber{kBench, "--tolerance", "nan", "1e-06 to 0.05"},
+                                         WrongNumber{kBench, "--tolerance", "-0.1", "1e-06 to 0.05"},
+                                         WrongNumber{kBench, "--tolerance", "a lot", "1e-06 to 0.05"},
+                                         WrongNumber{kBench, "--seconds", "nan", "0.001 to 1e+06"},
+                                         WrongNumber{kBench, "--seconds", "inf", "0.001 to 1e+06"},
+                                         WrongNumber{kBench, "--spacing", "nan", "0.001 to 100"},
+                                         WrongNumber{
+                                             {"pelagos-server", "--scene", "a"}, "--duration", "nan", "0 to 1e+09"},
+                                         WrongNumber{{"pelagos-ctl", "status"}, "--timeout", "nan", "0.05 to 3600"},
+                                         WrongNumber{{"pelagos-ctl", "events"}, "--duration", "nan", "0.01 to 1e+09"},
+                                         WrongNumber{{"pelagos-example-bridge"}, "--rate", "nan", "0.1 to 1000"},
+                                         WrongNumber{kViewer, "--wait", "nan", "0 to 100000"}));
+
+TEST(Bench, ToleranceIsThatOfBothConstraints) {
+  for (const char* solver : {"hybrid", "dfsph", "pbf", "corrected"}) {
+    RunningProgram bench({program("pelagos-bench"), "run", "--scene", scene("still_water"), "--solver", solver,
+                          "--tolerance", "1e-4", "--steps", "1"});
+    ASSERT_EQ(bench.wait(kPatience), 0) << bench.errors();
+    const nlohmann::json result = nlohmann::json::parse(bench.output());
+    EXPECT_EQ(result.at("tolerance"), 1e-4) << solver;
+    EXPECT_EQ(result.at("divergence_tolerance"), 1e-4) << solver;
+  }
+}
+
+TEST(Hard, RefusesALongRunThatIsTooShortToJudge) {
+  RunningProgram hard({program("pelagos-hard"), "long", "--steps", "100"});
+  EXPECT_EQ(hard.wait(kPatience), 2);
+  EXPECT_THAT(hard.errors(), AllOf(HasSubstr("--steps"), HasSubstr("100"), HasSubstr("3000")));
+}
+
 class EveryProgram : public testing::TestWithParam<const char*> {};
 
 TEST_P(EveryProgram, ExplainsItself) {
@@ -397,7 +448,8 @@ TEST_P(EveryProgram, RefusesAnUnknownOption) {
 
 INSTANTIATE_TEST_SUITE_P(Programs, EveryProgram,
                          testing::Values("pelagos-server", "pelagos-viewer", "pelagos-ctl", "pelagos-bench",
-                                         "pelagos-example-bridge", "pelagos-demo-summary"));
+                                         "pelagos-example-bridge", "pelagos-demo-summary", "pelagos-validate",
+                                         "pelagos-hard"));
 
 }  // namespace
 }  // namespace pelagos

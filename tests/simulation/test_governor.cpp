@@ -1,11 +1,15 @@
 #include "governor.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 namespace pelagos {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 constexpr Effort kExact{0.005, 3e-4, 3e-4};
 
@@ -51,6 +55,15 @@ TEST(Governor, StaysWithinTheScenesBoundsAndSaysWhenTheyAreNotEnough) {
   EXPECT_TRUE(governor.over_budget());
   run(governor, 30, 0.02);  // the smoothed time forgets a second within 20 frames or so
   EXPECT_FALSE(governor.over_budget()) << "and when they are again";
+}
+
+TEST(Governor, TellsAMissedBudgetFromAMachineThatIsTooSlow) {
+  Governor governor(scene_with(0.02), kExact);
+  run(governor, 100, 0.08);  // 0.03 s at the bounds: over the budget
+  ASSERT_TRUE(governor.over_budget());
+  EXPECT_THAT(governor.advice(0.04), HasSubstr("real time is held, the budget is missed"));
+  EXPECT_THAT(governor.advice(0.04), Not(HasSubstr("cannot keep up")));
+  EXPECT_THAT(governor.advice(0.025), HasSubstr("this machine cannot keep up"));
 }
 
 TEST(Governor, ClimbsAtOnceWhereAFrameIsFarOverTheBudget) {

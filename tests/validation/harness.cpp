@@ -68,6 +68,11 @@ const char* verdict(const Goal& goal, double value) {
   return "failed";
 }
 
+Metric energy_rise(double gained, double potential) {
+  return {"rise of the mechanical energy", 100.0 * (gained < 0.0 ? 0.0 : gained / potential),
+          "% of the potential energy", "0", at_most(0.2, 2.0)};
+}
+
 Series::Series(const std::filesystem::path& file, const std::string& columns) : file_(open(file, columns)) {}
 
 void Series::add(std::initializer_list<double> row) {

@@ -40,6 +40,12 @@ struct Metric {
   Goal goal{};
 };
 
+/// By how much water gained energy, as a share of its potential energy above the floor: the corrected scheme's repair
+/// of positions lifts particles. What was lost counts as 0. Aim: what a repair may lift; bound: ten times as much.
+/// @param gained     mechanical energy at the end less that at the start, J
+/// @param potential  J
+[[nodiscard]] Metric energy_rise(double gained, double potential);
+
 /// A CSV file of one run's series: a line of column names, then rows.
 class Series {
  public:

@@ -132,6 +132,14 @@ TEST(Goal, VerdictsByMagnitude) {
   EXPECT_STREQ(verdict({}, 7.0), "-");
 }
 
+TEST(Goal, EnergyMayFallButNotRise) {
+  EXPECT_DOUBLE_EQ(energy_rise(3.0, 1000.0).value, 0.3);
+  EXPECT_DOUBLE_EQ(energy_rise(-50.0, 1000.0).value, 0.0);
+  EXPECT_STREQ(verdict(energy_rise(1.0, 1000.0).goal, energy_rise(1.0, 1000.0).value), "met");
+  EXPECT_STREQ(verdict(energy_rise(3.0, 1000.0).goal, energy_rise(3.0, 1000.0).value), "missed");
+  EXPECT_STREQ(verdict(energy_rise(NAN, 1000.0).goal, energy_rise(NAN, 1000.0).value), "failed");
+}
+
 /// The same pressure law in all schemes: a column of 10 layers, mean over half a second, in the middle of it.
 TEST(Pressure, IsHydrostaticInEveryScheme) {
   for (const char* solver : {"corrected", "hybrid", "dfsph", "pbf"}) {

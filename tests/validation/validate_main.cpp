@@ -42,18 +42,27 @@ void write_machine(const Options& options) {
        << "\nquick: " << (options.quick ? "yes" : "no") << '\n';
 }
 
+/// How long the whole suite took: what time steps took stands in runs.csv.
+void write_duration(const Options& options, double seconds) {
+  std::ofstream file(options.out / "machine.txt", std::ios::app);
+  file << "minutes: " << seconds / 60.0 << '\n';
+}
+
 int run(const Options& options, const std::vector<std::string>& wanted) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
   Session session(options);
   write_cases(options);
   write_machine(options);
   for (const Case& c : all_cases()) {
     const bool all = std::find(wanted.begin(), wanted.end(), "all") != wanted.end();
     if (!all && std::find(wanted.begin(), wanted.end(), c.name) == wanted.end()) continue;
-    const auto begin = std::chrono::steady_clock::now();
+    const Clock::time_point begin = Clock::now();
     c.run(session);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    const std::chrono::duration<double> took = Clock::now() - begin;
     std::fprintf(stderr, "%svalidate: %-18s done in %.0f s\n", "\r", c.name, took.count());
   }
+  write_duration(options, std::chrono::duration<double>(Clock::now() - start).count());
   if (session.failures() > 0) std::fprintf(stderr, "validate: %d numbers are out of bounds\n", session.failures());
   return session.failures() > 0 ? 1 : 0;
 }
@@ -73,7 +82,11 @@ int main_checked(int argc, char** argv) {
   app.add_option("--threads", options.threads, "Threads (default: all)")->check(CLI::Range(1, 256));
   app.add_flag("--quick", options.quick, "Coarse runs only");
   app.add_flag("--list", list, "Only name the cases");
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   if (list) {
     list_cases();
     return 0;

@@ -57,6 +57,13 @@ std::optional<Effort> Governor::observe(double frame_seconds) {
   return consider_descent();
 }
 
+std::string Governor::advice(double frame_interval) const {
+  const std::string remedy = "more threads, a larger spacing, or wider bounds in the scene's governor";
+  return smoothed_ > frame_interval
+             ? "this machine cannot keep up: " + remedy
+             : "real time is held, the budget is missed: a larger governor.frame_budget, " + remedy;
+}
+
 std::optional<Effort> Governor::climb() {
   if (rung_ + 1 == ladder_.size()) {
     over_budget_ = true;

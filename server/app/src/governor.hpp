@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "values/effort.hpp"
@@ -35,6 +36,10 @@ class Governor {
   [[nodiscard]] bool over_budget() const { return over_budget_; }  ///< at the top, and it is not enough
   [[nodiscard]] double frame_seconds() const { return smoothed_; }
   [[nodiscard]] double budget() const { return budget_; }  ///< s
+
+  /// What to do about a budget that is missed at the bounds. Says that the machine cannot keep up only where a frame
+  /// takes longer than `frame_interval`, s: a budget may be smaller than that, and missed while real time is held.
+  [[nodiscard]] std::string advice(double frame_interval) const;
 
  private:
   std::optional<Effort> move_to(std::size_t rung);

@@ -219,8 +219,7 @@ void Server::govern(double frame_seconds) {
     announce("governor", "governor", "within the budget again: " + cost);
     return;
   }
-  log_warning("governor: at the scene's bounds, and " + cost +
-              "; this machine cannot keep up: more threads, a larger spacing, or wider bounds in the scene's governor");
+  log_warning("governor: at the scene's bounds, and " + cost + "; " + governor_->advice(options_.scene.frame_interval));
   announce("governor", "governor", "at the scene's bounds and over the budget: " + cost);
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "command_line/number_check.hpp"
 #include "control/endpoint.hpp"
 #include "machine.hpp"
 #include "run_report.hpp"
@@ -39,7 +40,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--threads", options.threads, "Threads that advance the water (default: all)")
       ->check(CLI::Range(1, 256));
   app.add_option("--duration", options.duration, "End after so many seconds: wall clock, or simulated with --unpaced")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(NumberFrom(0.0, 1e9));
   app.add_flag("--unpaced", arguments.unpaced, "As fast as it goes instead of at the wall clock's pace");
   app.add_option("--dds-config", options.dds_config,
                  "Cyclone DDS configuration (default: CYCLONEDDS_URI, else this machine only)");

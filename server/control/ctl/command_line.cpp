@@ -1,5 +1,6 @@
 #include "command_line.hpp"
 
+#include "command_line/number_check.hpp"
 #include "messages/parse_text.hpp"
 #include "version/version.hpp"
 
@@ -127,7 +128,7 @@ void CommandLine::add_general_options() {
       ->envname("PELAGOS_SERVER")
       ->capture_default_str();
   app.add_option("--timeout", options.timeout, "Longest wait for an answer, s")
-      ->check(CLI::Range(0.05, 3600.0))
+      ->check(NumberFrom(0.05, 3600.0))
       ->capture_default_str();
   app.add_flag("--json", options.json, "Print JSON, one object a line");
 }
@@ -147,8 +148,8 @@ void CommandLine::add_commands() {
   command->add_option("text", options.command, "e.g. 'set_current { current { speed: 1 to_deg: 90 } ramp: 30 }'")
       ->required();
   cancel->add_option("id", options.cancelled, "Its number in the schedule")->required();
-  events->add_option("--count", options.event_count, "Stop after so many")->check(CLI::Range(1.0, 1e15));
-  events->add_option("--duration", options.event_duration, "Stop after so many seconds")->check(CLI::Range(0.01, 1e9));
+  events->add_option("--count", options.event_count, "Stop after so many")->check(NumberFrom(1.0, 1e15));
+  events->add_option("--duration", options.event_duration, "Stop after so many seconds")->check(NumberFrom(0.01, 1e9));
 }
 
 void CommandLine::add_wind_options() {

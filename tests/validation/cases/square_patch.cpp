@@ -71,6 +71,10 @@ void add_results(Session& session, const Subject& subject, const WaterRun& run, 
   session.add(subject, {"angular momentum" + at, now.momentum / first.momentum, "of the start", "1",
                         last ? at_least(0.99, 0.9) : Goal{}});
   session.add(subject, {"covered area" + at, now.covered / first.covered, "of the start", "1"});
+  // Energy and momentum are kept by particles that fly apart as well: the area tells. Bound: twice the area.
+  if (last)
+    session.add(subject, {"covered area error" + at, 100.0 * (now.covered / first.covered - 1.0), "%", "0",
+                          at_most(5.0, 100.0)});
   session.add(subject, {"area of the convex hull" + at, now.hull / first.hull, "of the start", "-"});
   session.add(subject, {"smallest pair distance" + at, smallest_distance(run.state()) / subject.spacing, "d", "1"});
 }

@@ -85,12 +85,15 @@ const Setup kSetups[] = {
     {"the first without viscosity", {60, 10, 1, 1, 6, false, 0.0}, true, kPlain, 1.0, 100.0},
 };
 
+/// Below this share of its first height a wave has died: noise over its orbital speed is then no measure.
+constexpr double kDead = 0.05;
+
 void add_results(Session& session, const Subject& subject, int periods, const TravellingResult& r, const Goal& goal) {
   const std::string after = " over " + std::to_string(periods) + " periods";
   session.add(subject, {"loss a period" + after, 100.0 * r.loss, "%", "0; peers 15 to 27 %", goal});
   session.add(subject,
               {"phase error a period" + after, 100.0 * r.phase, "%", "w^2 = g k tanh(k h)", at_most(1.0, 3.0)});
-  session.add(subject, {"noise over orbital speed" + after, r.noise, "", "0"});
+  session.add(subject, {"noise over orbital speed" + after, r.amplitude < kDead ? NAN : r.noise, "", "0"});
 }
 
 void run_one(Session& session, const Setup& setup, const Subject& subject) {
@@ -110,8 +113,10 @@ void run_one(Session& session, const Setup& setup, const Subject& subject) {
   const FluidParameters& q = run.state().parameters;
   const double wave_energy = 0.5 * q.rest_density * q.gravity * setup.wave.amplitude * setup.wave.amplitude *
                              setup.wave.length * setup.wave.slice * setup.wave.spacing;
-  session.add(subject, {"mechanical energy gained in all", (mechanical_energy(run) - energy) / wave_energy,
-                        "of the wave's", "0"});
+  const double gained = mechanical_energy(run) - energy;
+  session.add(subject, {"mechanical energy gained in all", gained / wave_energy, "of the wave's", "0"});
+  const double potential = wave_energy * std::pow(setup.wave.depth / setup.wave.amplitude, 2);  // rho g h^2 / 2 an area
+  session.add(subject, energy_rise(gained, potential));
   session.add_cost(subject, run.cost());
 }
 

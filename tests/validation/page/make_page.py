@@ -101,14 +101,15 @@ def head(results):
     machine, rows = results.machine, judged(results)
     counts = {verdict: sum(row["verdict"] == verdict for row in rows) for verdict in MARKS}
     wall = sum(number(row["wall_s"]) for row in results.runs)
+    in_all = f" of {float(machine['minutes']):.0f} in all" if "minutes" in machine else ""
     quick = " Only the coarse runs (`--quick`)." if machine["quick"] == "yes" else ""
     return (f"# Accuracy of Pelagos {machine['version']}\n\n"
             f"Made by `deploy/validate` on {machine['date']}: {machine['threads']} threads of {machine['processor']}, "
-            f"{machine['instruction set']}; {wall / 60:.0f} minutes in the time steps.{quick}\n\n"
+            f"{machine['instruction set']}; {wall / 60:.0f} minutes{in_all} in the time steps.{quick}\n\n"
             f"Aims are held against the solver `{DEFAULT_SOLVER}`, which a scene gets without naming one; the others are "
             f"shown beside it with the viscosity that they run with by default. Of {len(rows)} numbers with an aim "
             f"{counts['met']} meet it, {counts['missed']} miss it, {counts['failed']} are out of the bounds that the "
-            f"suite accepts. Two-dimensional cases are slices four to six particles thick, periodic across. Wall times "
+            f"suite accepts. `At most` holds for the magnitude: a wave that grows counts as one that shrinks. Two-dimensional cases are slices four to six particles thick, periodic across. Wall times "
             f"are this machine's; errors and iterations are the method's. d is the particle spacing.\n")
 
 
