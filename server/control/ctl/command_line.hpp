@@ -31,6 +31,7 @@ struct CtlOptions {
   bool json = false;
   WindOptions wind;
   CurrentOptions current;
+  std::vector<double> places;  // x y z of each
   std::string command;  // in Protobuf's text format
   double at = 0.0;      // s, where --at is given
   std::uint32_t steps = 1;
@@ -46,6 +47,7 @@ struct CommandLine {
   CtlOptions options;
   CLI::App* status = nullptr;
   CLI::App* wind = nullptr;
+  CLI::App* wind_at = nullptr;
   CLI::App* pause = nullptr;
   CLI::App* resume = nullptr;
   CLI::App* step = nullptr;
