@@ -32,8 +32,8 @@ struct CtlOptions {
   WindOptions wind;
   CurrentOptions current;
   std::vector<double> places;  // x y z of each
-  std::string command;  // in Protobuf's text format
-  double at = 0.0;      // s, where --at is given
+  std::string command;         // in Protobuf's text format
+  double at = 0.0;             // s, where --at is given
   std::uint32_t steps = 1;
   std::uint64_t cancelled = 0;
   std::uint64_t event_count = 0;  // 0: no limit
