@@ -157,6 +157,11 @@ class ControlTest : public testing::Test {
   }
 
   ControlOptions options_;
+  /// Stands in for the air: rises with x, turns with y, still below z = 0.
+  static Eigen::Vector3d air_at(const Eigen::Vector3d& place) {
+    return place.z() > 0.0 ? Eigen::Vector3d(place.x(), place.y(), 0.5) : Eigen::Vector3d::Zero();
+  }
+
   ServerStatus status_;                 // set before the server starts
   std::optional<std::string> refusal_;  // likewise
   bool throws_ = false;                 // likewise
@@ -188,6 +193,12 @@ class ControlTest : public testing::Test {
     hooks.scheduled = [this] { return scheduled(); };
     hooks.wind_before = [this](std::optional<double>) { return last_wind_set(); };
     hooks.status = [this] { return status_; };
+    hooks.read_air = [this](const std::vector<Eigen::Vector3d>& position) {
+      if (throws_) throw std::runtime_error("broken");
+      AirReading reading{status_.simulation_time, {}};
+      for (const Eigen::Vector3d& place : position) reading.velocity.push_back(air_at(place));
+      return reading;
+    };
     hooks.log = [this](LogLevel, std::string_view text) {
       const std::lock_guard lock(mutex_);
       log_ += std::string(text) + "\n";

@@ -94,6 +94,27 @@ TEST_F(Ctl, SendsEveryWindOption) {
   EXPECT_TRUE(std::holds_alternative<ClearWind>(commands().back()));
 }
 
+TEST_F(Ctl, PrintsTheWindAtPlaces) {
+  status_.simulation_time = 7.5;
+  const Outcome people = ask({"wind-at", "12", "-4", "10"});  // negative numbers are no options
+  EXPECT_EQ(people.code, 0) << people.err;
+  EXPECT_EQ(people.out, "12.65 m/s from 288.4, towards (12.00, -4.00, 0.50) m/s, at 7.500 s\n");
+  EXPECT_EQ(ask({"wind-at", "1", "2", "-3"}).out, "0.00 m/s, towards (0.00, 0.00, 0.00) m/s, at 7.500 s\n");
+
+  const Outcome machines = ask({"wind-at", "--json", "-1", "0", "10", "3", "4", "5"});
+  EXPECT_EQ(machines.code, 0) << machines.err;
+  const auto json = nlohmann::json::parse(machines.out);
+  EXPECT_EQ(json["simulation_time"], 7.5);
+  ASSERT_EQ(json["place"].size(), 2u);
+  EXPECT_EQ(json["place"][0]["velocity"]["x"], -1.0);
+  EXPECT_EQ(json["place"][1]["speed"], 5.0);
+
+  EXPECT_EQ(ask({"wind-at", "1", "2"}).code, 2);
+  EXPECT_EQ(ask({"wind-at", "1", "2", "3", "4"}).code, 2);
+  EXPECT_EQ(ask({"wind-at"}).code, 2);
+  EXPECT_THAT(ask({"wind-at", "nan", "0", "0"}).err, HasSubstr("query_wind.position[0].x: nan is out of range"));
+}
+
 TEST_F(Ctl, PausesStepsAndResumes) {
   EXPECT_EQ(ask({"pause"}).out, "done\n");
   EXPECT_EQ(ask({"step", "10"}).code, 0);

@@ -120,6 +120,39 @@ TEST_F(Server, GoesOnWhenABridgeSendsForAnUnknownBody) {
   EXPECT_EQ(status.at("poses_accepted"), 0);
 }
 
+TEST_F(Server, TellsTheWindAtAMast) {
+  start();
+  ASSERT_EQ(ask({"wind-at", "--json", "0", "0", "10"}), 0);
+  EXPECT_EQ(nlohmann::json::parse(answer_).at("place").at(0).at("speed"), 0.0) << "a calm";
+  ASSERT_EQ(ask({"wind", "--speed", "12", "--from", "270", "--roughness", "0.001"}), 0);
+  // The water of this scene stands at 0.475 m: masts of 10 m and of 1 m, and a place under water.
+  const std::vector<std::string> query = {"wind-at", "--json", "0",  "0",   "10.475", "0",
+                                          "0",       "1.475",  "-7", "0.5", "0.2"};
+  nlohmann::json places;
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  do {  // until the command has taken effect at a step boundary
+    ASSERT_EQ(ask(query), 0);
+    places = nlohmann::json::parse(answer_).at("place");
+  } while (places.at(0).at("speed") == 0.0 && std::chrono::steady_clock::now() < end);
+  ASSERT_EQ(places.size(), 3u);
+  EXPECT_NEAR(places[0].at("speed").get<double>(), 12.0, 1e-9);
+  EXPECT_NEAR(places[0].at("from_deg").get<double>(), 270.0, 1e-9);
+  EXPECT_NEAR(places[1].at("speed").get<double>(), 9.0, 1e-6);  // ln(1000) / ln(10000) = 3/4
+  EXPECT_EQ(places[2].at("speed").get<double>(), 0.0);
+}
+
+TEST_F(Server, SaysWhenAPulseNeverCloses) {
+  const TemporaryFolder folder;
+  const std::string scene_file = (folder.path() / "endless.scene").string();
+  std::ofstream(scene_file) << read_text(scene("still_water"))
+                            << "wind { velocity { x: 2 } law: PAPER pulse { period: 10 width: 100 } }\n";
+  start({}, scene_file);
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (server_->errors().find("never closes") == std::string::npos && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(milliseconds(20));
+  EXPECT_THAT(server_->errors(), HasSubstr("its pulse blows 100 steps of every 10: it never closes"));
+}
+
 TEST_F(Server, PaysWithAccuracyWithinBoundsAndSaysSo) {
   // No machine makes a frame of this basin in 0.1 ms: the governor must end at its bounds.
   const TemporaryFolder folder;

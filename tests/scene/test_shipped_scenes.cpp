@@ -51,6 +51,21 @@ TEST(ShippedScenes, DamBreakIsThePapers) {
   EXPECT_FALSE(scene.wind);
 }
 
+TEST(ShippedScenes, PaperWindHasThePapersNumbers) {
+  const Scene scene = load("paper_wind.scene");
+  EXPECT_EQ(particle_count(scene), 34749);
+  EXPECT_EQ(scene.solver.kind, SolverKind::kHybrid);
+  ASSERT_TRUE(scene.wind);
+  EXPECT_EQ(scene.wind->law, WindLaw::kPaper);
+  EXPECT_EQ(scene.wind->velocity, Eigen::Vector3d(-18.0, -0.5, 0.0));
+  EXPECT_EQ(scene.wind->amplitude, 3.0);
+  EXPECT_EQ(scene.wind->beta, 1.5);
+  EXPECT_EQ(scene.wind->roughness, 0.01);
+  ASSERT_TRUE(scene.wind->pulse);
+  EXPECT_EQ(scene.wind->pulse->period, 10.0);
+  EXPECT_EQ(scene.wind->pulse->width, 100.0);
+}
+
 TEST(ShippedScenes, WindWavesIsThePapers) {
   const Scene scene = load("wind_waves.scene");
   EXPECT_EQ(particle_count(scene), 34749);

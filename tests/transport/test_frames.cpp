@@ -105,5 +105,13 @@ TEST(WindConversion, DirectionIsStatedBothWays) {
   EXPECT_LT(wire.velocity_to.y, 0.0);  // ... and south
 }
 
+TEST(WindConversion, APulseInStepsIsNotToldInSeconds) {
+  WindSettings wind;
+  wind.pulse = WindPulse{10.0, 4.0};
+  EXPECT_TRUE(wire::to_wire(wind).has_pulse);
+  wind.law = WindLaw::kPaper;
+  EXPECT_FALSE(wire::to_wire(wind).has_pulse);
+}
+
 }  // namespace
 }  // namespace pelagos

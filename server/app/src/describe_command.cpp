@@ -39,9 +39,10 @@ struct OilDescriber {
 
 struct Describer {
   CommandNews operator()(const SetWind& c) const {
-    return {"wind", fmt::format("wind {:.1f} m/s from {:.0f} deg, gusts {:.1f} m/s, over {:.1f} s{}{}",
-                                c.wind.velocity.head<2>().norm(), wind_from_deg(c.wind.velocity), c.wind.amplitude,
-                                c.ramp_seconds, pulse(c.wind), law(c.wind))};
+    return {"wind",
+            fmt::format("wind {:.1f} m/s from {:.0f} deg, gusts {:.1f} m/s, over {:.1f} s, roughness {:g} m{}{}",
+                        c.wind.velocity.head<2>().norm(), wind_from_deg(c.wind.velocity), c.wind.amplitude,
+                        c.ramp_seconds, c.wind.roughness, pulse(c.wind), law(c.wind))};
   }
   CommandNews operator()(const ClearWind&) const { return {"wind", "no wind"}; }
   CommandNews operator()(const SetCurrent& c) const {

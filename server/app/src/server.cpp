@@ -25,6 +25,14 @@ std::vector<std::uint32_t> driven_bodies(const Scene& scene) {
   return ids;
 }
 
+/// The paper's own pulse is such a one; other laws refuse it.
+void warn_of_endless_pulse(const WindSettings& wind) {
+  if (!wind.pulse || wind.law != WindLaw::kPaper || !never_closes(*wind.pulse)) return;
+  log_warning(
+      fmt::format("wind: its pulse blows {:g} steps of every {:g}: it never closes, the wind blows all the time",
+                  wind.pulse->width, wind.pulse->period));
+}
+
 const char* describe_health(PoseHealth health) {
   switch (health) {
     case PoseHealth::kNone:
@@ -69,6 +77,7 @@ ControlHooks Server::control_hooks() {
   hooks.scheduled = [this] { return commands_.scheduled(); };
   hooks.wind_before = [this](std::optional<double> at) { return commands_.wind_before(at); };
   hooks.status = [this] { return current_status(); };
+  hooks.read_air = [this](const std::vector<Eigen::Vector3d>& position) { return read_air(position); };
   hooks.log = [](LogLevel level, std::string_view text) {
     level == LogLevel::kInfo ? log_info(text) : level == LogLevel::kWarning ? log_warning(text) : log_error(text);
   };
@@ -113,6 +122,7 @@ ServerSummary Server::run() {
   next_log_ns_ = start_ns_ + kLogIntervalNs;
   window_ = StatusWindow(start_ns_);
   announce("start", "server", "scene " + options_.scene.name + " started");
+  if (options_.scene.wind) warn_of_endless_pulse(*options_.scene.wind);
   Pacer pacer(world_->time());
   if (world_->current()) notice_closed_axes();
   while (!stop_.load() && !out_of_time() && !replay_ended() && !broken_) {
@@ -272,6 +282,7 @@ void Server::refresh_status() {
     status_.current = world_->current();
     status_.moves_water = world_->current_moves_water();
     status_.scheduled = static_cast<std::uint32_t>(commands_.scheduled_count());
+    air_ = world_->air();
     status_.bodies = world_->bodies().states();
     if (world_->spill()) status_.oil = world_->spill()->budget();
     status_.effort = world_->effort();
@@ -351,6 +362,21 @@ void Server::announce(const std::string& kind, const std::string& source, const 
 ServerStatus Server::current_status() const {
   const std::scoped_lock lock(status_mutex_);
   return status_;
+}
+
+AirReading Server::read_air(const std::vector<Eigen::Vector3d>& position) const {
+  AirReading reading;
+  std::optional<Air> air;
+  {
+    const std::scoped_lock lock(status_mutex_);
+    reading.simulation_time = status_.simulation_time;
+    air = air_;
+  }
+  reading.velocity.assign(position.size(), Eigen::Vector3d::Zero());
+  if (!air) return reading;
+  for (std::size_t i = 0; i < position.size(); ++i)
+    reading.velocity[i] = air->velocity_at(position[i], reading.simulation_time);
+  return reading;
 }
 
 }  // namespace pelagos

@@ -101,6 +101,7 @@ class Server {
   [[nodiscard]] bool out_of_time() const;
   [[nodiscard]] bool replay_ended() const { return replay_ && replay_->ended(world_->step()); }
   [[nodiscard]] ServerStatus current_status() const;
+  [[nodiscard]] AirReading read_air(const std::vector<Eigen::Vector3d>& position) const;
 
   ServerOptions options_;
   const std::atomic<bool>& stop_;
@@ -116,7 +117,8 @@ class Server {
   std::optional<Governor> governor_;
 
   mutable std::mutex status_mutex_;
-  ServerStatus status_;  ///< shared with the control link
+  ServerStatus status_;     ///< shared with the control link
+  std::optional<Air> air_;  ///< likewise: at status_.simulation_time
 
   std::vector<QueuedCommand> taken_commands_;
   std::vector<ScheduleChange> schedule_changes_;

@@ -18,6 +18,7 @@ constexpr const char* kExamples = R"(Examples:
   pelagos-ctl wind --from 290                          the wind veers, all else stays
   pelagos-ctl wind --period 8 --width 3                blows 3 s of every 8 s
   pelagos-ctl wind --off --at 600                      calm, 600 s into the simulation
+  pelagos-ctl wind-at 12 -4 10                         what an anemometer there would read
   pelagos-ctl current --speed 1.5 --to 90 --ramp 60    1.5 m/s, setting to the east
   pelagos-ctl schedule; pelagos-ctl cancel 3           what waits for its time; not that
   pelagos-ctl pause; pelagos-ctl step 10; pelagos-ctl resume
@@ -32,6 +33,11 @@ void fill_vector(const std::vector<double>& from, proto::v1::Vector& to) {
   to.set_x(from.at(0));
   to.set_y(from.at(1));
   if (from.size() > 2) to.set_z(from.at(2));
+}
+
+void fill_places(const std::vector<double>& places, proto::v1::QueryWind& query) {
+  for (std::size_t i = 0; i + 2 < places.size(); i += 3)
+    fill_vector({places[i], places[i + 1], places[i + 2]}, *query.add_position());
 }
 
 void fill_wind(const CommandLine& line, proto::v1::SetWind& set) {
@@ -136,6 +142,7 @@ void CommandLine::add_general_options() {
 void CommandLine::add_commands() {
   status = app.add_subcommand("status", "Print how the server is doing");
   wind = app.add_subcommand("wind", "Change the wind; what is not given stays as it is");
+  wind_at = app.add_subcommand("wind-at", "Print what anemometers would read now");
   current = app.add_subcommand("current", "Set the current");
   pause = app.add_subcommand("pause", "Stop simulated time");
   resume = app.add_subcommand("resume", "Let simulated time go on");
@@ -144,6 +151,9 @@ void CommandLine::add_commands() {
   schedule = app.add_subcommand("schedule", "Print the commands that wait for their time");
   cancel = app.add_subcommand("cancel", "Take a command that waits out of the schedule");
   events = app.add_subcommand("events", "Print events as they happen");
+  wind_at->add_option("places", options.places, "X Y Z of each place (up to 100), m, world frame: x east, z up")
+      ->required()
+      ->expected(3, 300);
   step->add_option("steps", options.steps, "How many (1 to 10000)")->capture_default_str();
   command->add_option("text", options.command, "e.g. 'set_current { current { speed: 1 to_deg: 90 } ramp: 30 }'")
       ->required();
@@ -194,6 +204,9 @@ void CommandLine::add_current_options() {
 std::string usage_fault(const CommandLine& line) {
   if (line.wind->parsed()) return fault_of_change(*line.wind, line.options.wind.off, "--speed 12 --from 270");
   if (line.current->parsed()) return fault_of_change(*line.current, line.options.current.off, "--speed 1 --to 90");
+  if (line.options.places.size() % 3 != 0)
+    return "wind-at: " + std::to_string(line.options.places.size()) +
+           " numbers are given; allowed: X Y Z of each place; see pelagos-ctl wind-at --help";
   return "";
 }
 
@@ -202,6 +215,7 @@ RequestResult to_request(const CommandLine& line) {
   RequestResult result;
   Request& request = result.request;
   if (line.status->parsed()) request.mutable_get_status();
+  if (line.wind_at->parsed()) fill_places(options.places, *request.mutable_query_wind());
   if (line.resume->parsed()) request.mutable_resume();
   if (line.step->parsed()) request.mutable_step()->set_steps(options.steps);
   if (line.schedule->parsed()) request.mutable_get_schedule();

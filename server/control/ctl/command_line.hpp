@@ -31,8 +31,9 @@ struct CtlOptions {
   bool json = false;
   WindOptions wind;
   CurrentOptions current;
-  std::string command;  // in Protobuf's text format
-  double at = 0.0;      // s, where --at is given
+  std::vector<double> places;  // x y z of each
+  std::string command;         // in Protobuf's text format
+  double at = 0.0;             // s, where --at is given
   std::uint32_t steps = 1;
   std::uint64_t cancelled = 0;
   std::uint64_t event_count = 0;  // 0: no limit
@@ -46,6 +47,7 @@ struct CommandLine {
   CtlOptions options;
   CLI::App* status = nullptr;
   CLI::App* wind = nullptr;
+  CLI::App* wind_at = nullptr;
   CLI::App* pause = nullptr;
   CLI::App* resume = nullptr;
   CLI::App* step = nullptr;

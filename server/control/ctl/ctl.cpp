@@ -38,6 +38,10 @@ int print_response(const Response& response, bool json, std::ostream& out, std::
     out << (json ? to_json(response.schedule()).dump() + "\n" : describe(response.schedule()));
     return 0;
   }
+  if (response.has_wind_reading()) {
+    out << (json ? to_json(response.wind_reading()).dump() + "\n" : describe(response.wind_reading()));
+    return 0;
+  }
   const std::uint64_t id = response.accepted().scheduled_id();
   if (json) {
     nlohmann::ordered_json done{{"ok", true}};

@@ -178,6 +178,17 @@ std::string describe(const proto::v1::Schedule& schedule) {
   return text;
 }
 
+std::string describe(const proto::v1::WindReading& reading) {
+  std::string text;
+  for (const auto& place : reading.place()) {
+    const auto& v = place.velocity();
+    text += format("%.2f m/s", place.speed());
+    if (place.has_from_deg()) text += format(" from %05.1f", place.from_deg());
+    text += format(", towards (%.2f, %.2f, %.2f) m/s, at %.3f s\n", v.x(), v.y(), v.z(), reading.simulation_time());
+  }
+  return text;
+}
+
 std::string describe(const proto::v1::Event& event) {
   return format("%6llu  %9.3f s  step %-8llu ", static_cast<unsigned long long>(event.sequence()),
                 event.simulation_time(), static_cast<unsigned long long>(event.step())) +

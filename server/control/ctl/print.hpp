@@ -17,6 +17,8 @@ namespace pelagos {
 [[nodiscard]] std::string describe(const proto::v1::Status& status);
 /// The commands that wait, one a line: id, time, what, who; a line of its own if there are none.
 [[nodiscard]] std::string describe(const proto::v1::Schedule& schedule);
+/// What anemometers read, a line for each.
+[[nodiscard]] std::string describe(const proto::v1::WindReading& reading);
 /// An event on one line.
 [[nodiscard]] std::string describe(const proto::v1::Event& event);
 

@@ -150,6 +150,19 @@ void fill(const ScheduledCommand& from, proto::v1::ScheduledCommand& to) {
   write_command(from.command, *to.mutable_command());
 }
 
+proto::v1::WindReading to_message(const AirReading& reading) {
+  proto::v1::WindReading message;
+  message.set_simulation_time(reading.simulation_time);
+  for (const Eigen::Vector3d& velocity : reading.velocity) {
+    proto::v1::WindAtPlace& place = *message.add_place();
+    const double speed = velocity.head<2>().norm();
+    fill(velocity, *place.mutable_velocity());
+    place.set_speed(speed);
+    if (speed > 0.0) place.set_from_deg(wind_from_deg(velocity));
+  }
+  return message;
+}
+
 proto::v1::ServerMessage error_message(std::uint64_t id, proto::v1::Error::Code code, std::string text,
                                        const std::string& field) {
   proto::v1::ServerMessage message;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "control.pb.h"
+#include "values/air_reading.hpp"
 #include "values/command.hpp"
 #include "values/status.hpp"
 
@@ -11,6 +12,7 @@ namespace pelagos {
 [[nodiscard]] proto::v1::Status to_message(const ServerStatus& status, std::size_t stations);
 [[nodiscard]] proto::v1::ServerMessage to_message(const Event& event);
 void fill(const ScheduledCommand& from, proto::v1::ScheduledCommand& to);
+[[nodiscard]] proto::v1::WindReading to_message(const AirReading& reading);
 [[nodiscard]] proto::v1::ServerMessage error_message(std::uint64_t id, proto::v1::Error::Code code, std::string text,
                                                      const std::string& field = "");
 

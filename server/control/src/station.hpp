@@ -61,6 +61,7 @@ class Station : public std::enable_shared_from_this<Station> {
   void answer_timed_command(const proto::v1::Request& request);
   void answer_schedule(const proto::v1::Request& request);
   void answer_cancel(const proto::v1::Request& request);
+  void answer_wind_query(const proto::v1::Request& request);
   void submit(std::uint64_t id, const Command& command);
   void schedule(std::uint64_t id, const Command& command, double at);
   void refuse_values(std::uint64_t id, const FieldFaults& faults);

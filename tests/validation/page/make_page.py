@@ -11,6 +11,7 @@ import sys
 
 import paper_figures
 import plots
+import wind_figures
 from results import DEFAULT_SOLVER, Results, number
 
 MARKS = {"met": "met", "missed": "**missed**", "failed": "**out of bounds**", "broke down": "broke down"}
@@ -76,7 +77,7 @@ def folded(title, body):
 
 def draw(results, case, folder):
     """The case's plots; none where a run that broke down left no series for them."""
-    function = getattr(plots, case, None) or getattr(paper_figures, case)
+    function = next(getattr(module, case) for module in (plots, paper_figures, wind_figures) if hasattr(module, case))
     try:
         return function(results, folder)
     except (KeyError, TypeError, IndexError, ValueError):

@@ -223,22 +223,36 @@ def square_patch(results, folder):
              f"The patch, {setup}; the square is where it began. Nothing pulls it together.")]
 
 
+def power_spectrum(values, rate):
+    """Frequencies (Hz) and power of overlapping windowed pieces, their mean removed."""
+    import numpy
+
+    length = min(512, len(values))
+    window = numpy.hanning(length)
+    pieces = [numpy.array(values[k:k + length]) for k in range(0, len(values) - length + 1, length // 2)]
+    power = sum(abs(numpy.fft.rfft(window * (piece - piece.mean()))) ** 2 for piece in pieces) / len(pieces)
+    return numpy.fft.rfftfreq(length, 1.0 / rate)[1:], power[1:] / power[1:].max()
+
+
 def wind(results, folder):
-    setup = [name for name in results.setups("wind") if name.startswith("paper")]
-    if not setup:
-        return []
-    figure, axes = new_figure(2, 2, width=9.6, height=2.0)
-    for k, axis in enumerate(axes.flat):
-        snapshot = results.series("wind", f"snapshot{k + 1}", setup[0], "hybrid")
-        picture = axis.scatter(snapshot["x"], snapshot["z"], c=snapshot["speed"], s=2.5, vmin=0, vmax=4, cmap="viridis",
-                               linewidths=0)
-        axis.set(title=f"{k + 1} of 4 quarters of the run", xlim=(0, 5), ylim=(0, 2), aspect="equal",
-                 ylabel="z (m)" if k % 2 == 0 else "", xlabel="x (m)" if k > 1 else "")
-        axis.grid(False)
-    figure.colorbar(picture, ax=axes, label="speed (m/s)", shrink=0.7)
-    return [(save(figure, folder, "paper_figure_9"),
-             "The paper's figure 9: a slab of its wind scene, coloured by speed; the wind blows to the left. "
-             "The paper: peaks meet, and waves overturn.")]
+    profile = results.series("wind", "profile", "air", DEFAULT_SOLVER)
+    mast = results.series("wind", "mast", "air", DEFAULT_SOLVER)
+    figure, axes = new_figure(3, width=9.6)
+    for key, label in (("sea", "z₀ = 0.2 mm, open sea"), ("rough", "z₀ = 10 mm")):
+        axes[0][0].plot(profile[key], profile["height"], label=label)
+    axes[0][0].plot([10], [10], "o", color=EXPERIMENT, markersize=4)
+    axes[0][0].set(title="profile", xlabel="m/s", ylabel="height above the mean level (m)", yscale="log")
+    axes[0][0].legend()
+    shown = [k for k, t in enumerate(mast["t"]) if t <= 60]
+    axes[0][1].plot([mast["t"][k] for k in shown], [mast["u"][k] for k in shown], linewidth=1)
+    axes[0][1].set(title="a mast in 10 m/s, A = 3 m/s, l = 20 m", xlabel="s", ylabel="m/s")
+    frequency, power = power_spectrum(mast["u"], 16.0)
+    axes[0][2].plot(frequency, power, linewidth=1)
+    axes[0][2].axvline(0.5, color=EXPERIMENT, linewidth=0.8, linestyle=":", label="U / l")
+    axes[0][2].set(title="its spectrum", xlabel="Hz", xscale="log", yscale="log", ylim=(1e-7, 2))
+    axes[0][2].legend()
+    return [(save(figure, folder, "wind"), "The air over the sea: every height has the wind at 10 m times the profile; "
+             "gusts fall off beyond the frequency at which eddies pass.")]
 
 
 def plain_ticks(axis):

@@ -132,8 +132,9 @@ pelagos_WindSettingsV1 to_wire(const std::optional<WindSettings>& wind) {
   wire.amplitude = wind->amplitude;
   wire.length = wind->length;
   wire.beta = wind->beta;
-  wire.has_pulse = wind->pulse.has_value();
-  if (wind->pulse) {
+  // The topic's pulse is in seconds, the paper's in steps.
+  wire.has_pulse = wind->pulse.has_value() && wind->law != WindLaw::kPaper;
+  if (wire.has_pulse) {
     wire.pulse_period = wind->pulse->period;
     wire.pulse_width = wind->pulse->width;
   }

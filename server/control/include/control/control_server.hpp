@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "values/air_reading.hpp"
 #include "values/command.hpp"
 #include "values/status.hpp"
 
@@ -61,6 +62,8 @@ struct ControlHooks {
   /// that a station leaves out keep.
   std::function<std::optional<WindSettings>(std::optional<double> at)> wind_before;
   std::function<ServerStatus()> status;
+  /// The air as it moves now at each of the places (m, world).
+  std::function<AirReading(const std::vector<Eigen::Vector3d>& position)> read_air;
   std::function<void(LogLevel level, std::string_view text)> log;  ///< at most about 20 lines a second, one line each
 };
 
