@@ -104,7 +104,11 @@ const FieldReader::Field& FieldReader::field(const char* name) const {
   return *found;
 }
 
-bool FieldReader::has(const char* name) const { return message_->GetReflection()->HasField(*message_, &field(name)); }
+bool FieldReader::has(const char* name) const {
+  const auto& wanted = field(name);
+  const auto& reflection = *message_->GetReflection();
+  return wanted.is_repeated() ? reflection.FieldSize(*message_, &wanted) > 0 : reflection.HasField(*message_, &wanted);
+}
 
 std::string FieldReader::which(const char* oneof) const {
   const auto* descriptor = message_->GetDescriptor()->FindOneofByName(oneof);
