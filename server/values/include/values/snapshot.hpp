@@ -7,6 +7,7 @@
 
 #include "packing/surface_particle.hpp"
 #include "values/body.hpp"
+#include "values/body_load.hpp"
 #include "values/oil_budget.hpp"
 #include "values/slick.hpp"
 #include "values/status.hpp"
@@ -28,6 +29,7 @@ struct Snapshot {
   std::uint32_t total_particles = 0;  ///< in the simulation; the difference to particles.size() was left out
   std::vector<SurfaceParticle> particles;
   std::vector<BodyState> bodies;
+  std::vector<BodyLoad> loads;     ///< of the bodies that the water pushes, by body id
   std::optional<OilSnapshot> oil;  ///< nothing in a scene without
   ServerStatus status;
 };
