@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <fstream>
+#include <optional>
 #include <thread>
 
 #include "command_line/number_check.hpp"
@@ -116,6 +117,31 @@ pelagos_PoseV1 make_sample(const Options& o, const NedMotion& motion, double tim
   return sample;
 }
 
+/// What the water did to the body last, for people.
+class LoadLine {
+ public:
+  LoadLine(const DdsParticipant& participant, std::uint32_t body)
+      : reader_(participant, topics::body_load()), body_(body) {}
+
+  void print() {
+    reader_.take_all<pelagos_BodyLoadV1>([&](const pelagos_BodyLoadV1& sample) {
+      if (sample.body == body_) last_ = sample;
+    });
+    if (!last_) return;
+    const pelagos_BodyLoadV1& l = *last_;
+    const bool ned = l.frame_of_body == pelagos_FRAME_NED;
+    std::printf(
+        "           water on hull  surge %9.1f kN  up %9.1f kN (buoyant %9.1f)  pitch %9.1f kN m  wetted %7.1f m3\n",
+        1e-3 * l.force.x, (ned ? -1e-3 : 1e-3) * l.force.z, (ned ? -1e-3 : 1e-3) * l.buoyant_force.z,
+        (ned ? 1e-3 : -1e-3) * l.moment.y, l.wetted_volume);
+  }
+
+ private:
+  DdsReader reader_;
+  std::uint32_t body_;
+  std::optional<pelagos_BodyLoadV1> last_;
+};
+
 void report(const Track& track, double time, std::uint64_t sent, std::uint32_t servers) {
   const ShipState s = state_at(track, time);
   const double heading = s.heading_deg - 360.0 * std::floor(s.heading_deg / 360.0);
@@ -123,13 +149,13 @@ void report(const Track& track, double time, std::uint64_t sent, std::uint32_t s
       "t %6.1f s  east %8.2f m  north %8.2f m  up %6.2f m  heading %5.1f deg  speed %5.2f m/s  sent %llu  servers %u\n",
       time, s.east, s.north, s.up, heading, motion_at(track, time).velocity.head<2>().norm(),
       static_cast<unsigned long long>(sent), servers);
-  std::fflush(stdout);
 }
 
 int send_track(const Options& o, const Track& track) {
   const DdsParticipant participant(o.dds);
   const DdsWriter writer(participant, o.body == kOwnShip ? topics::own_ship_pose() : topics::body_pose());
 
+  LoadLine load(participant, o.body);
   const double length = std::isfinite(end_of(track)) ? end_of(track) : 60.0;
   const double duration = o.duration > 0.0 ? o.duration : length;
   // Times must increase, also for a bridge that is started again: seconds since 1970, then by a clock nobody sets.
@@ -146,6 +172,8 @@ int send_track(const Options& o, const Track& track) {
     ++(writer.write(&sample) ? sent : failed);
     if (due.count() >= next_report) {
       report(track, due.count(), sent, writer.matched_readers());
+      load.print();
+      std::fflush(stdout);
       next_report += 1.0;
     }
   }

@@ -34,7 +34,7 @@ TEST(BodyShape, SphereIsSampledEvenlyOnTheInsetSphere) {
   const double d = 0.2, radius = 1.5, inset = 0.6;
   const BodyShape shape = make_body_shape(make_sphere(radius, 36), d, inset);
   ASSERT_TRUE(shape.faults.empty()) << shape.faults.front();
-  EXPECT_NEAR(shape.volume, 4.0 / 3 * std::numbers::pi * std::pow(radius, 3), 0.01 * shape.volume);
+  EXPECT_NEAR(shape.solid.volume, 4.0 / 3 * std::numbers::pi * std::pow(radius, 3), 0.01 * shape.solid.volume);
   for (const auto& sample : shape.samples)
     EXPECT_NEAR(sample.norm(), radius - inset * d, 0.008);  // facets: r (1 - cos(pi/36)) = 0.006, and 2 % of the inset
   EXPECT_GE(least_distance(shape), 0.8 * d - 1e-6);
@@ -53,7 +53,7 @@ TEST(BodyShape, BoxKeepsItsSharpCornersInside) {
   const double d = 0.25, inset = 0.6;
   const BodyShape shape = make_body_shape(make_box({-2, -1, -0.5}, {2, 1, 1.5}), d, inset);
   ASSERT_TRUE(shape.faults.empty());
-  EXPECT_NEAR(shape.volume, 16.0, 1e-9);
+  EXPECT_NEAR(shape.solid.volume, 16.0, 1e-9);
   const Eigen::Vector3d half(2 - inset * d, 1 - inset * d, 1 - inset * d);
   for (const auto& sample : shape.samples) {
     const Eigen::Vector3d from_edge = half - (sample.cast<double>() - Eigen::Vector3d(0, 0, 0.5)).cwiseAbs();
@@ -175,12 +175,13 @@ TEST(Coaster, IsWatertightAndSampledAtOneMetre) {
   ASSERT_TRUE(std::filesystem::exists(path));
   const BodyShape shape = load_body_shape(path, {}, 1.0, 0.6);
   ASSERT_TRUE(shape.faults.empty()) << shape.faults.front();
-  EXPECT_GT(shape.volume, 0.3 * shape.bounding_box.volume());  // block coefficients of full hulls with superstructure
-  EXPECT_LT(shape.volume, shape.bounding_box.volume());
+  EXPECT_GT(shape.solid.volume,
+            0.3 * shape.bounding_box.volume());  // block coefficients of full hulls with superstructure
+  EXPECT_LT(shape.solid.volume, shape.bounding_box.volume());
   for (const auto& sample : shape.samples) EXPECT_TRUE(shape.inside(sample.cast<double>()));
   EXPECT_GE(least_distance(shape), 0.8 - 1e-5);
   RecordProperty("samples", static_cast<int>(shape.samples.size()));
-  RecordProperty("volume", std::to_string(shape.volume));
+  RecordProperty("volume", std::to_string(shape.solid.volume));
 }
 
 }  // namespace

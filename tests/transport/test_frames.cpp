@@ -97,6 +97,40 @@ TEST(PoseConversion, NedSampleOfATurningShipMeansWhatItSays) {
   EXPECT_TRUE(pose.angular_velocity.isApprox(Vector3d(0.0, 0.0, -0.1), kRounding));
 }
 
+TEST(LoadConversion, RoundTripInBothFrames) {
+  BodyLoad load;
+  load.body = 3;
+  load.point = {1.0, 2.0, 3.0};
+  load.force = {4.0, 5.0, 6.0};
+  load.moment = {7.0, 8.0, 9.0};
+  load.buoyant_force = {0.0, 0.5, 5.5};
+  load.buoyant_moment = {0.1, 0.2, 0.3};
+  load.peak_force = 20.0;
+  load.peak_moment = 30.0;
+  load.wetted_volume = 0.6;
+  load.wetted_area = 1.2;
+  Snapshot snapshot;
+  snapshot.frame = 12;
+  snapshot.simulation_time = 0.4;
+  for (const pelagos_WorldFrame frame : {pelagos_FRAME_ENU, pelagos_FRAME_NED}) {
+    const pelagos_BodyLoadV1 wire = wire::to_wire(load, snapshot, 17, frame);
+    EXPECT_EQ(wire.source, 17U);
+    EXPECT_EQ(wire.frame, 12U);
+    EXPECT_EQ(wire.simulation_time, 0.4);
+    // A push to port is one to -y where y is starboard; a push up is one to -z where z is down.
+    EXPECT_EQ(wire.force.y, frame == pelagos_FRAME_NED ? -5.0 : 5.0);
+    EXPECT_EQ(wire.force.z, frame == pelagos_FRAME_NED ? -6.0 : 6.0);
+    const BodyLoad back = wire::from_wire(wire);
+    EXPECT_EQ(back.body, 3U);
+    for (const auto member :
+         {&BodyLoad::point, &BodyLoad::force, &BodyLoad::moment, &BodyLoad::buoyant_force, &BodyLoad::buoyant_moment})
+      EXPECT_EQ(back.*member, load.*member);
+    for (const auto member :
+         {&BodyLoad::peak_force, &BodyLoad::peak_moment, &BodyLoad::wetted_volume, &BodyLoad::wetted_area})
+      EXPECT_EQ(back.*member, load.*member);
+  }
+}
+
 TEST(WindConversion, DirectionIsStatedBothWays) {
   const pelagos_WindSettingsV1 wire = wire::to_wire(WindSettings{.velocity = wind_velocity(10.0, 315.0), .pulse = {}});
   EXPECT_NEAR(wire.wind_speed, 10.0, kRounding * 10);

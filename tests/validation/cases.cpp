@@ -75,6 +75,15 @@ const std::vector<Case>& all_cases() {
        "never closes), a velocity added every step. A crest meets another where their water runs towards each other; "
        "water overturns where three particles or more stand over a gap of three spacings.",
        "Its figures 8 to 11 and what it says of them.", run_paper_wind},
+      {"floating", "Bodies in the water",
+       "Boxes and spheres in a basin between mirrors, where the level follows from the water's volume. Boxes of a "
+       "fifth, "
+       "a half and four fifths of the water's density float for 10 s; a barge is held, upright and heeled; a sphere "
+       "under "
+       "water is let go; one that floats half-sunk is let go from 0.2 of its radius below.",
+       "Hydrostatics of the mesh (draft, force, righting moment); the added mass of a sphere; the measured heave of a "
+       "sphere. Another particle code reaches 1.1 to 1.2 % of the draft and drifts by 8.8 % of the length.",
+       run_floating},
       {"work_precision", "Work and precision",
        "Three small problems while one knob is turned: tolerance, time step, resolution. Wall time for a simulated "
        "second "

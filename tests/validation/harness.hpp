@@ -118,6 +118,7 @@ void run_square_patch(Session& session);
 void run_paper_dam_break(Session& session);
 void run_wind(Session& session);
 void run_paper_wind(Session& session);
+void run_floating(Session& session);
 void run_work_precision(Session& session);
 
 }  // namespace pelagos::validation

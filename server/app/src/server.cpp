@@ -21,7 +21,7 @@ constexpr std::chrono::milliseconds kPausedSleep{5};
 std::vector<std::uint32_t> driven_bodies(const Scene& scene) {
   std::vector<std::uint32_t> ids;
   for (const BodySettings& body : scene.bodies)
-    if (body.drive == BodyDrive::kPose) ids.push_back(body.id);
+    if (is_led(body.drive)) ids.push_back(body.id);
   return ids;
 }
 
@@ -95,7 +95,9 @@ void Server::open_links() {
   dds.log = [](std::string_view line) { log_warning(line); };
   const auto participant = join_dds(dds);
   open_world();
-  publisher_ = std::make_unique<FramePublisher>(participant, world_->describe(), PublisherSettings{}, dds.log);
+  PublisherSettings settings;
+  settings.bodies_in_ned = options_.bodies_in_ned;
+  publisher_ = std::make_unique<FramePublisher>(participant, world_->describe(), settings, dds.log);
   poses_ = std::make_unique<PoseReceiver>(participant, driven_bodies(options_.scene), dds.log);
 }
 

@@ -30,6 +30,7 @@ struct ServerOptions {
   double duration = 0.0;  ///< s: wall clock when paced, simulated when not; 0: until stopped
   bool paced = true;
   std::string dds_config;
+  bool bodies_in_ned = false;        ///< body states and loads go out in NED; else in ENU
   std::string command_log;           ///< file that every applied command is written to; empty: none
   std::optional<CommandLog> replay;  ///< instead of the scene's events, the stations' commands and the governor
 };

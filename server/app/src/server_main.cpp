@@ -26,7 +26,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler
 void request_stop(int) { stop_requested.store(true); }
 
 struct Arguments {
-  std::string scene_file, control = "127.0.0.1:7410", report_file, log_level = "info", replay_file;
+  std::string scene_file, control = "127.0.0.1:7410", report_file, log_level = "info", replay_file, body_frame = "enu";
   ServerOptions options;
   bool unpaced = false;
 };
@@ -44,6 +44,10 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_flag("--unpaced", arguments.unpaced, "As fast as it goes instead of at the wall clock's pace");
   app.add_option("--dds-config", options.dds_config,
                  "Cyclone DDS configuration (default: CYCLONEDDS_URI, else this machine only)");
+  app.add_option("--body-frame", arguments.body_frame,
+                 "World frame and body axes of the bodies' states and loads that are published")
+      ->check(CLI::IsMember({"enu", "ned"}))
+      ->capture_default_str();
   app.add_option("--report", arguments.report_file, "Write what the run reached there, as JSON, at the end");
   app.add_option("--command-log", options.command_log,
                  "Write every command there before which step it was applied, as text; see --replay");
@@ -76,6 +80,7 @@ bool prepare(Arguments& arguments) {
   arguments.options.control.host = endpoint.endpoint->host;
   arguments.options.control.port = endpoint.endpoint->port;
   arguments.options.paced = !arguments.unpaced;
+  arguments.options.bodies_in_ned = arguments.body_frame == "ned";
   return true;
 }
 

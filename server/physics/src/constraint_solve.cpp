@@ -136,6 +136,10 @@ class Solver {
     apply_pressure(pool_, data, *problem_.gradients, pressure, displacement);
     if (data.ghosts) extend_vectors(pool_, *data.ghosts, displacement);
     compute_rate(pool_, data, *problem_.gradients, displacement, false, rate);
+    if (problem_.bodies) {
+      answer_pressure(*problem_.bodies, pressure, problem_.particle_mass, work_.answers);
+      add_body_rates(*problem_.bodies, work_.answers, rate);
+    }
     passes_ += 2;
   }
   /// u = -J'p and r = b + J u for the present p.

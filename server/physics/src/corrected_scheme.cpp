@@ -26,7 +26,7 @@ namespace {
 constexpr float kCompressionAllowed = 0.002F, kCompressionShare = 0.2F;
 
 void repair_positions(TaskPool& pool, FluidState& state, StepReport& report) {
-  solve_density(pool, state, 0.0F, report);
+  solve_density(pool, state, 0.0F, BodiesIn::kHold, report);
   if (report.density.iterations == 0) return;
   report.capped = apply_correction(pool, state, {true, 0.0});
   extend_positions(pool, state);
@@ -42,6 +42,7 @@ void refresh_corrections(TaskPool& pool, FluidState& state, StepReport& report) 
 void correct_gradients(TaskPool& pool, FluidState& state, StepReport& report) {
   compute_corrected_gradients(pool, pair_data(state), state.corrections, state.gradients);
   ++report.pair_passes;
+  meet_bodies(pool, state);
 }
 
 void solve_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& report) {
@@ -53,10 +54,11 @@ void solve_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& re
     const float compressed = std::max(p.density[i] - 1.0F - kCompressionAllowed, 0.0F);
     state.source[i] = step * state.source[i] + kCompressionShare * compressed;
   });
-  const ConstraintProblem problem{&data, &state.gradients, state.source, warm_factor(state, dt)};
+  const ConstraintProblem problem = make_problem(state, data, warm_factor(state, dt), BodiesIn::kAnswer);
   report.divergence = solve_constraint(pool, problem, state.parameters.divergence, p.divergence_pressure, state.work,
                                        report.pair_passes);
   apply_correction(pool, state, {false, dt});
+  push_bodies(state, dt, {false, dt});
 }
 
 void filter_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& report) {

@@ -13,7 +13,10 @@ namespace {
 void refresh_all(TaskPool& pool, FluidState& state, Clock clock, StepReport& report) {
   run_stage(report, clock, Stage::kSort, [&] { sort_particles(pool, state); });
   run_stage(report, clock, Stage::kNeighbors, [&] { search_neighbors(pool, state, report); });
-  run_stage(report, clock, Stage::kDensity, [&] { refresh_density(pool, state, report); });
+  run_stage(report, clock, Stage::kDensity, [&] {
+    refresh_density(pool, state, report);
+    meet_bodies(pool, state);
+  });
 }
 
 /// b = delta(x) + dt J v* - 1 at the old positions.
@@ -24,10 +27,11 @@ void solve_predicted_density(TaskPool& pool, FluidState& state, double dt, StepR
   const auto step = static_cast<float>(dt);
   for_each_particle(pool, state,
                     [&](std::size_t i) { state.source[i] = step * state.source[i] + p.density[i] - 1.0F; });
-  const ConstraintProblem problem{&data, &state.gradients, state.source, warm_factor(state, dt)};
+  const ConstraintProblem problem = make_problem(state, data, warm_factor(state, dt), BodiesIn::kAnswer);
   report.density =
       solve_constraint(pool, problem, state.parameters.density, p.density_pressure, state.work, report.pair_passes);
   report.capped = apply_correction(pool, state, {false, dt});
+  push_bodies(state, dt, {true, dt});  // their samples stand where the step would take them without this push
 }
 
 }  // namespace

@@ -12,18 +12,34 @@ namespace {
 /// A correction never exceeds this share of the spacing.
 constexpr double kLargestCorrection = 0.25;
 
+/// The body that a moving sample belongs to; -1: none.
+std::int32_t body_of_sample(const BodyCoupling& coupling, std::size_t sample) {
+  for (std::size_t k = 0; k < coupling.bodies.size(); ++k) {
+    const CoupledBody& body = coupling.bodies[k];
+    if (sample >= body.first_sample && sample - body.first_sample < body.sample_count)
+      return static_cast<std::int32_t>(k);
+  }
+  return -1;
+}
+
 void sort_moving_walls(TaskPool& pool, FluidState& state) {
   BoundaryParticles& walls = state.walls;
   const std::size_t moving = state.moving_position.size();
   assert(state.moving_velocity.size() == moving);
+  state.walls_move = false;
   if (moving == 0) return;
   state.moving_grid.sort(pool, state.moving_position, state.order);
   walls.count = state.static_walls + moving;
   walls.position.resize(padded_count(walls.count));
   walls.velocity.resize(padded_count(walls.count));
+  std::vector<std::int32_t>& owner = state.coupling.sample_body;
+  owner.resize(moving);
   for (std::size_t k = 0; k < moving; ++k) {
-    walls.position[state.static_walls + k] = state.moving_position[state.order[k]];
-    walls.velocity[state.static_walls + k] = state.moving_velocity[state.order[k]];
+    const std::size_t sample = state.order[k];
+    owner[k] = body_of_sample(state.coupling, sample);
+    walls.position[state.static_walls + k] = state.moving_position[sample];
+    walls.velocity[state.static_walls + k] = owner[k] < 0 ? state.moving_velocity[sample] : Float4{};
+    state.walls_move = state.walls_move || owner[k] < 0;
   }
   for (std::size_t k = walls.count; k < walls.position.size(); ++k) walls.position[k] = kFarRecord;
   for (std::size_t k = walls.count; k < walls.velocity.size(); ++k) walls.velocity[k] = {};
@@ -39,7 +55,7 @@ PairData pair_data(const FluidState& state) {
   data.boundary = &state.wall_list;
   data.walls = &state.walls;
   data.ghosts = state.ghosts.empty() ? nullptr : &state.ghosts;
-  data.walls_move = !state.moving_position.empty();
+  data.walls_move = state.walls_move;
   data.support_radius = static_cast<float>(state.parameters.support_radius);
   data.volume = static_cast<float>(state.parameters.volume());
   data.spacing = static_cast<float>(state.parameters.spacing);
@@ -135,11 +151,21 @@ float warm_factor(const FluidState& state, double dt) {
   return static_cast<float>(ratio * ratio);
 }
 
-void solve_density(TaskPool& pool, FluidState& state, float warm_factor, StepReport& report) {
+ConstraintProblem make_problem(const FluidState& state, const PairData& data, float warm_factor, BodiesIn bodies) {
+  ConstraintProblem problem{&data, &state.gradients, state.source, warm_factor};
+  const std::vector<CoupledBody>& all = state.coupling.bodies;
+  const bool any = std::any_of(all.begin(), all.end(), [](const CoupledBody& body) { return body.answers(); });
+  if (bodies == BodiesIn::kHold || !any || state.coupling.contacts.empty()) return problem;
+  problem.bodies = &state.coupling;
+  problem.particle_mass = state.parameters.rest_density * state.parameters.volume();
+  return problem;
+}
+
+void solve_density(TaskPool& pool, FluidState& state, float warm_factor, BodiesIn bodies, StepReport& report) {
   FluidParticles& p = state.particles;
   const PairData data = pair_data(state);
   for_each_particle(pool, state, [&](std::size_t i) { state.source[i] = p.density[i] - 1.0F; });
-  const ConstraintProblem problem{&data, &state.gradients, state.source, warm_factor};
+  const ConstraintProblem problem = make_problem(state, data, warm_factor, bodies);
   report.density =
       solve_constraint(pool, problem, state.parameters.density, p.density_pressure, state.work, report.pair_passes);
 }
@@ -177,6 +203,7 @@ void rate_of_density(TaskPool& pool, FluidState& state, StepReport& report) {
   const PairData data = pair_data(state);
   extend_velocities(pool, state);
   compute_rate(pool, data, state.gradients, state.particles.velocity, data.walls_move, state.source);
+  add_body_velocities(state.coupling, state.source);
   ++report.pair_passes;
 }
 
@@ -191,9 +218,10 @@ void solve_divergence(TaskPool& pool, FluidState& state, double dt, StepReport& 
   for_each_particle(pool, state, [&](std::size_t i) {
     state.source[i] = step * (clamped ? std::max(state.source[i], 0.0F) : state.source[i]);
   });
-  const ConstraintProblem problem{&data, &state.gradients, state.source, 0.0F};
+  const ConstraintProblem problem = make_problem(state, data, 0.0F, BodiesIn::kAnswer);
   report.divergence = solve_constraint(pool, problem, settings, p.divergence_pressure, state.work, report.pair_passes);
   apply_correction(pool, state, {false, dt});
+  push_bodies(state, dt, {false, dt});
 }
 
 }  // namespace pelagos

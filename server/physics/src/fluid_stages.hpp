@@ -40,7 +40,14 @@ void for_each_particle(TaskPool& pool, const FluidState& state, F&& f);
 /// density in them does not: after a sliver of a step it would be blown up, so the ratio is bounded.
 [[nodiscard]] float warm_factor(const FluidState& state, double dt);
 /// Density constraint on the present positions: source = delta - 1; work.displacement holds the corrections.
-void solve_density(TaskPool& pool, FluidState& state, float warm_factor, StepReport& report);
+enum class BodiesIn {
+  kHold,    ///< bodies stay where they are
+  kAnswer,  ///< bodies move with the pressure
+};
+void solve_density(TaskPool& pool, FluidState& state, float warm_factor, BodiesIn bodies, StepReport& report);
+/// A constraint with state.source as it is.
+[[nodiscard]] ConstraintProblem make_problem(const FluidState& state, const PairData& data, float warm_factor,
+                                             BodiesIn bodies);
 /// x += u and v += u / span with |u| <= d/4 for each particle; either target may be left out. Returns how many
 /// corrections were bounded: a leaking column would blow up otherwise.
 struct CorrectionTargets {
@@ -48,6 +55,14 @@ struct CorrectionTargets {
   double span = 0.0;  ///< s; 0: velocities stay
 };
 std::uint32_t apply_correction(TaskPool& pool, FluidState& state, const CorrectionTargets& targets);
+/// Contacts of the bodies at the present lists, with the present gradients, and an alpha that is small enough for
+/// bodies that answer: half their rows' sum is added to its inverse, for the diagonal alone is too little for light
+/// ones. Nothing without bodies.
+void meet_bodies(TaskPool& pool, FluidState& state);
+/// rate -= what the bodies' present velocities do to the density.
+void add_body_velocities(const BodyCoupling& coupling, std::span<float> rate);
+/// Lets the bodies take what the last solve gave them over a step of dt; targets as for the water.
+void push_bodies(FluidState& state, double dt, const CorrectionTargets& targets);
 /// Mean of max(delta - 1, 0) over the particles.
 [[nodiscard]] double mean_compression(TaskPool& pool, const FluidState& state);
 /// source = J v of the present velocities, the walls' own included, 1/s.

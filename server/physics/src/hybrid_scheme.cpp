@@ -24,13 +24,18 @@ void advance_hybrid(TaskPool& pool, FluidState& state, double dt, Clock clock, S
   });
   run_stage(report, clock, Stage::kSort, [&] { sort_particles(pool, state); });
   run_stage(report, clock, Stage::kNeighbors, [&] { search_neighbors(pool, state, report); });
-  run_stage(report, clock, Stage::kDensity, [&] { refresh_density(pool, state, report); });
+  run_stage(report, clock, Stage::kDensity, [&] {
+    refresh_density(pool, state, report);
+    meet_bodies(pool, state);
+  });
   run_stage(report, clock, Stage::kDensitySolve, [&] {
-    solve_density(pool, state, warm_factor(state, dt), report);
+    solve_density(pool, state, warm_factor(state, dt), BodiesIn::kAnswer, report);
     // After a step that was suddenly cut short, u holds repairs that the longer step before left over; as a velocity
     // over the short step they would be a kick. They become one over half the longer step; the divergence solve does
     // the rest.
-    report.capped = apply_correction(pool, state, {true, std::max(dt, state.last_dt / kLargestStepRatio)});
+    const CorrectionTargets targets{true, std::max(dt, state.last_dt / kLargestStepRatio)};
+    report.capped = apply_correction(pool, state, targets);
+    push_bodies(state, dt, targets);
     extend_positions(pool, state);
   });
   state.density_present = false;

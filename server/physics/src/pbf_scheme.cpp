@@ -48,14 +48,19 @@ void advance_pbf(TaskPool& pool, FluidState& state, double dt, Clock clock, Step
   });
   run_stage(report, clock, Stage::kSort, [&] { sort_particles(pool, state); });
   run_stage(report, clock, Stage::kNeighbors, [&] { search_neighbors(pool, state, report); });
-  run_stage(report, clock, Stage::kDensity, [&] { refresh_density(pool, state, report); });
+  run_stage(report, clock, Stage::kDensity, [&] {
+    refresh_density(pool, state, report);
+    meet_bodies(pool, state);
+  });
   run_stage(report, clock, Stage::kDensitySolve, [&] {
     if (literal) {
       iterate_positions(pool, state, dt, report);
       return;
     }
-    solve_density(pool, state, warm_factor(state, dt), report);
-    report.capped = apply_correction(pool, state, {true, std::max(dt, state.last_dt / kLargestStepRatio)});
+    solve_density(pool, state, warm_factor(state, dt), BodiesIn::kAnswer, report);
+    const CorrectionTargets targets{true, std::max(dt, state.last_dt / kLargestStepRatio)};
+    report.capped = apply_correction(pool, state, targets);
+    push_bodies(state, dt, targets);
     extend_positions(pool, state);
   });
   state.density_present = literal;  // theirs is evaluated after every correction

@@ -111,7 +111,8 @@ BodyShape make_body_shape(const TriangleMesh& mesh, double spacing, double inset
                            std::to_string(spacing) + " m: raise particle_spacing or mend mesh_scale");
   if (!shape.faults.empty()) return shape;
 
-  if (kind == MeshKind::kClosed) shape.volume = mesh_volume(mesh);
+  shape.mesh = mesh;
+  if (kind == MeshKind::kClosed) shape.solid = mass_properties(mesh);
   for (const auto& [from, to] : rim_edges(mesh)) shape.rim.push_back({mesh.vertices[from], mesh.vertices[to]});
   shape.surface = std::make_shared<const MeshQuery>(mesh);
   for (const Eigen::Vector3d& vertex : mesh.vertices) shape.bounding_box.extend(vertex);

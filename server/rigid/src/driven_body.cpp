@@ -3,27 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rigid/turn.hpp"
+
 namespace pelagos {
 
 namespace {
 
 constexpr double kClockJump = 1.0;     ///< s: a larger change of the clocks' difference is a restart
 constexpr double kClockSeconds = 2.0;  ///< s: how fast the difference follows later arrivals
-
-/// Rotation by the vector `turn` (axis times angle, rad).
-Eigen::Quaterniond rotation_of(const Eigen::Vector3d& turn) {
-  const double angle = turn.norm();
-  if (angle < 1e-12) return Eigen::Quaterniond(1.0, 0.5 * turn.x(), 0.5 * turn.y(), 0.5 * turn.z()).normalized();
-  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle));
-}
-
-/// The vector (axis times angle, at most pi) of a rotation.
-Eigen::Vector3d turn_of(const Eigen::Quaterniond& rotation) {
-  const double sine = rotation.vec().norm();
-  if (sine < 1e-12) return 2.0 * (rotation.w() < 0.0 ? -1.0 : 1.0) * rotation.vec();
-  const double angle = 2.0 * std::atan2(rotation.w() < 0.0 ? -sine : sine, std::abs(rotation.w()));
-  return rotation.vec() * (angle / sine);
-}
 
 /// Error and its rate after `dt` of critical damping.
 struct Damped {

@@ -61,17 +61,72 @@ void read_place(const FieldReader& reader, const std::optional<Box>& tank, BodyS
   }
 }
 
+BodyDrive drive_of(int drive) {
+  switch (drive) {
+    case proto::v1::Body::STATIC:
+      return BodyDrive::kStatic;
+    case proto::v1::Body::FREE:
+      return BodyDrive::kFree;
+    case proto::v1::Body::POSE_HORIZONTAL:
+      return BodyDrive::kPoseHorizontal;
+    default:
+      return BodyDrive::kPose;
+  }
+}
+
+/// A solid cannot have one radius of gyration so long that its square exceeds the sum of the others' squares.
+void check_gyration(const FieldReader& mass, const Eigen::Vector3d& radii) {
+  const Eigen::Vector3d squares = radii.cwiseAbs2();
+  if (radii.minCoeff() > 0.0 && 2.0 * squares.maxCoeff() <= squares.sum() * (1.0 + 1e-9)) return;
+  mass.fault("gyration", "(" + format_number(radii.x()) + ", " + format_number(radii.y()) + ", " +
+                             format_number(radii.z()) +
+                             ") m is no solid's; allowed: all three above 0, no square above the sum of the other two");
+}
+
+MassSettings read_mass_entry(const FieldReader& entry) {
+  MassSettings mass;
+  entry.read("kg", {1e-9, 1e12, "kg"}, mass.mass);
+  entry.read("density", {1e-6, 1e5, "kg/m^3"}, mass.density);
+  if (entry.has("kg") == entry.has("density"))
+    entry.fault("kg", entry.has("kg") ? "is given beside density; allowed: one of the two"
+                                      : "and density are both missing; allowed: one of the two");
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  if (entry.has("centre") && entry.read("centre", {-1e4, 1e4, "m"}, value)) mass.centre = value;
+  value.setZero();
+  if (entry.has("gyration") && entry.read("gyration", {1e-6, 1e4, "m"}, value)) {
+    check_gyration(entry, value);
+    mass.gyration = value;
+  }
+  return mass;
+}
+
+/// What only bodies have that the water pushes.
+void read_freedom(const FieldReader& reader, BodySettings& body) {
+  if (reader.has("mass")) body.mass = read_mass_entry(reader.child("mass"));
+  reader.read("velocity", {-100.0, 100.0, "m/s"}, body.velocity);
+  reader.read("free_from", {0.0, 1e6, "s"}, body.free_from);
+  if (is_free(body.drive) && !reader.has("mass"))
+    reader.fault("mass", "is missing; a body that the water pushes needs one, with kg or density");
+  if (!is_free(body.drive) && reader.has("mass"))
+    reader.fault("mass",
+                 "is given to a body that the water does not push; allowed: with drive FREE or POSE_HORIZONTAL");
+  for (const char* name : {"velocity", "free_from"})
+    if (body.drive != BodyDrive::kFree && reader.has(name))
+      reader.fault(name, "is given to a body that is not free; allowed: with drive FREE");
+}
+
 BodySettings read_body(const FieldReader& reader, const std::optional<Box>& tank, const SceneSource& source) {
   BodySettings body;
   reader.require("id");
   reader.read("id", {1.0, 4294967295.0}, body.id);
   body.name = "body " + std::to_string(body.id);
   reader.read("name", 64, body.name);
-  if (reader.read_enum("drive") == proto::v1::Body::STATIC) body.drive = BodyDrive::kStatic;
+  body.drive = drive_of(reader.read_enum("drive"));
   read_surface_of_body(reader, source, body);
   reader.read("sample_inset", {0.0, 1.0, "spacings"}, body.sample_inset);
   read_place(reader, tank, body);
   body.orientation = read_orientation(reader);
+  read_freedom(reader, body);
   return body;
 }
 

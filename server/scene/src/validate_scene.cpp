@@ -140,6 +140,17 @@ void read_wind_of_scene(const FieldReader& reader, const Basis& basis, Scene& sc
   }
 }
 
+/// The literal iteration of PBF moves particles one constraint at a time: a body would not be part of it.
+void check_bodies_against_solver(const FieldReader& reader, const Scene& scene) {
+  const bool literal = scene.solver.kind == SolverKind::kPbf && scene.solver.method == PressureMethod::kPaper;
+  const bool any = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                               [](const BodySettings& body) { return is_free(body.drive); });
+  if (literal && any)
+    reader.fault("solver",
+                 "is PBF with method PAPER, which cannot push bodies; allowed with drive FREE or "
+                 "POSE_HORIZONTAL: any other solver, or PBF with another method");
+}
+
 void read_far_sea(const FieldReader& reader, FarSeaSettings& far_sea) {
   const FieldReader entry = reader.child("far_sea");
   entry.read("beaufort", {0, 12, "Beaufort"}, far_sea.beaufort);
@@ -189,6 +200,7 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
   if (reader.has("current")) scene.current = read_current(reader.child("current"));
   scene.events = validate_events(reader, basis, scene.wind);
   scene.bodies = validate_bodies(reader, tank, source);
+  check_bodies_against_solver(reader, scene);
   read_far_sea(reader, scene.far_sea);
   read_origin(reader, scene.origin);
   read_surface(reader, basis, scene.surface);

@@ -4,6 +4,7 @@
 
 #include "body_faults.hpp"
 #include "physics/boundary.hpp"
+#include "simulation/wetted_body.hpp"
 
 namespace pelagos {
 
@@ -25,6 +26,10 @@ BodyShape shape_of(const BodySettings& settings, double spacing) {
                          settings.sample_inset);
 }
 
+FreeBody::Freedom freedom_of(BodyDrive drive) {
+  return drive == BodyDrive::kFree ? FreeBody::Freedom::kAll : FreeBody::Freedom::kHeaveRollPitch;
+}
+
 /// A jump may land on water that stands where the body was before: mapped again, at most so many times.
 constexpr int kRelocations = 8;
 
@@ -39,13 +44,37 @@ Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::v
     body.state.position = settings.position;
     body.state.orientation = settings.orientation;
     body.state.pose_age = -1.0;
-    if (settings.drive == BodyDrive::kPose) body.driven.emplace(body.state, scene.particle_spacing, body.shape.reach);
+    if (is_led(settings.drive)) body.driven.emplace(body.state, scene.particle_spacing, body.shape.reach);
+    if (is_free(settings.drive)) {
+      body.state.velocity = settings.velocity;
+      body.held = settings.free_from > 0.0;
+      body.free.emplace(body.state, body_mass(settings.mass, body.shape.solid), freedom_of(settings.drive));
+    }
     add_samples(pool, scene, support_radius, body);
     bodies_.push_back(std::move(body));
   }
   std::vector<PlacedShape> placed;
   for (const Body& body : bodies_) placed.push_back({&body.settings, &body.shape});
   faults = body_faults(scene, support_radius, placed);
+  if (faults.empty()) make_contacts(scene);
+}
+
+void Bodies::make_contacts(const Scene& scene) {
+  if (std::none_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.free.has_value(); })) return;
+  BodyContacts& contacts = contacts_.emplace(scene.particle_spacing);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (scene.tank_edges[static_cast<std::size_t>(axis)] == TankEdge::kPeriodic) continue;
+    contacts.add_plane(scene.tank.min, Eigen::Vector3d::Unit(axis));
+    contacts.add_plane(scene.tank.max, -Eigen::Vector3d::Unit(axis));
+  }
+  for (Body& body : bodies_) {
+    if (body.free)
+      body.hull = contacts.add_free(body.shape.mesh, body.free->mass(), body.free->freedom());
+    else if (body.driven)
+      body.hull = contacts.add_driven(body.shape.mesh);
+    else
+      contacts.add_scenery(body.shape.mesh, body.state.position, body.state.orientation);
+  }
 }
 
 void Bodies::add_samples(TaskPool& pool, const Scene& scene, double support_radius, Body& body) {
@@ -54,7 +83,7 @@ void Bodies::add_samples(TaskPool& pool, const Scene& scene, double support_radi
   for (const Eigen::Vector3f& sample : body.shape.samples) samples.push_back({sample.x(), sample.y(), sample.z(), 0});
   assign_boundary_volumes(pool, support_radius, samples);
   for (const Float4& sample : samples) {
-    if (body.driven) {
+    if (body.moves()) {
       volumes_.push_back(sample.w);
       continue;
     }
@@ -86,32 +115,115 @@ bool Bodies::accept(const BodyPose& pose, double now) {
 }
 
 void Bodies::advance(double now, double dt, const Eigen::Vector3d& origin, FluidState& fluid) {
+  const FreeBody::Order order =
+      fluid.parameters.scheme == Scheme::kCorrected ? FreeBody::Order::kDriftFirst : FreeBody::Order::kGravityFirst;
   for (Body& body : bodies_) {
-    if (!body.driven) continue;
     const BodyState before = body.state;
-    const std::uint64_t jumps = body.driven->jumps();
-    body.state = body.driven->advance(dt, now);
-    if (body.driven->jumps() != jumps) relocate_water(body, before, origin, fluid);
+    const std::uint64_t jumps = body.driven ? body.driven->jumps() : 0;
+    if (body.driven) body.state = body.driven->advance(dt, now);
+    body.held = body.free && now < body.settings.free_from;
+    if (body.gives_way()) {
+      body.free->predict(dt, fluid.parameters.gravity, order);
+      if (body.driven) body.free->lead(body.state);
+      body.free->write_to(body.state);
+    }
+    if (body.driven && body.driven->jumps() != jumps) relocate_water(body, before, origin, fluid);
   }
   place(origin, fluid);
+}
+
+void Bodies::receive(double dt, const FluidState& fluid) {
+  std::size_t coupled = 0;
+  for (Body& body : bodies_) {
+    if (!body.moves()) continue;
+    const CoupledBody& push = fluid.coupling.bodies[coupled++];
+    body.meter.add(body.state, push.impulse, push.angular_impulse, dt);
+    if (body.gives_way()) body.free->take(push.displacement, push.turn, push.velocity, push.angular_velocity);
+  }
+  touch(dt);
+  for (Body& body : bodies_)
+    if (body.gives_way()) body.free->write_to(body.state);
+}
+
+void Bodies::touch(double dt) {
+  if (!contacts_ || !finite()) return;
+  for (const Body& body : bodies_) {
+    if (body.free)
+      contacts_->place_free(body.hull, *body.free);
+    else if (body.driven)
+      contacts_->place_driven(body.hull, body.state);
+  }
+  if (!contacts_->resolve(dt)) return;
+  const Eigen::Vector3d still = Eigen::Vector3d::Zero();
+  for (Body& body : bodies_)
+    if (body.gives_way())
+      body.free->take(still, still, contacts_->velocity(body.hull), contacts_->angular_velocity(body.hull));
+}
+
+std::vector<BodyLoad> Bodies::take_loads(const Eigen::Vector3d& origin, const FluidState& fluid, double still_level) {
+  std::vector<BodyLoad> loads;
+  if (volumes_.empty()) return loads;
+  std::vector<Eigen::Vector2d> places;
+  for (const Body& body : bodies_)
+    if (body.moves())
+      for (const Eigen::Vector2d& place : ring_around(body.shape, body.state, origin)) places.push_back(place);
+  const std::vector<SurfaceReading> readings = read_surface(fluid, places);
+  const std::size_t ring = places.size() / fluid.coupling.bodies.size();
+  std::size_t first = 0;
+  for (Body& body : bodies_) {
+    if (!body.moves()) continue;
+    BodyLoad& load = loads.emplace_back();
+    load.body = body.settings.id;
+    if (body.free) load.point = body.free->mass().centre;
+    body.meter.take(load);
+    const WaterPlane water = water_around(std::span(places).subspan(first, ring),
+                                          std::span(readings).subspan(first, ring), body.state, origin, still_level);
+    first += ring;
+    measure_buoyancy(body.shape, water, fluid.parameters.rest_density * fluid.parameters.gravity, load);
+  }
+  return loads;
+}
+
+bool Bodies::finite() const {
+  return std::all_of(bodies_.begin(), bodies_.end(), [](const Body& body) {
+    return body.state.position.allFinite() && body.state.velocity.allFinite() &&
+           body.state.angular_velocity.allFinite() && body.state.orientation.coeffs().allFinite();
+  });
 }
 
 void Bodies::place(const Eigen::Vector3d& origin, FluidState& fluid) const {
   fluid.moving_position.resize(volumes_.size());
   fluid.moving_velocity.resize(volumes_.size());
+  fluid.coupling.bodies.clear();
   for (const Body& body : bodies_) {
-    if (!body.driven) continue;
+    if (!body.moves()) continue;
     const std::size_t count = body.shape.samples.size();
     place_samples(body.shape, body.state, origin, std::span(fluid.moving_position).subspan(body.first_sample, count),
                   std::span(fluid.moving_velocity).subspan(body.first_sample, count));
+    fluid.coupling.bodies.push_back(coupled_body(body, origin));
   }
   for (std::size_t k = 0; k < volumes_.size(); ++k) fluid.moving_position[k].w = volumes_[k];
+}
+
+CoupledBody Bodies::coupled_body(const Body& body, const Eigen::Vector3d& origin) {
+  CoupledBody coupled;
+  coupled.first_sample = body.first_sample;
+  coupled.sample_count = body.shape.samples.size();
+  coupled.centre = (body.free ? body.free->centre() : body.state.position) - origin;
+  if (body.held) return coupled;
+  coupled.velocity = body.free ? body.free->velocity() : body.state.velocity;
+  coupled.angular_velocity = body.state.angular_velocity;
+  if (!body.free) return coupled;
+  coupled.inverse_mass = body.free->inverse_mass();
+  coupled.inverse_inertia = body.free->inverse_inertia();
+  return coupled;
 }
 
 double Bodies::largest_speed() const {
   double largest = 0.0;
   for (const Body& body : bodies_)
-    largest = std::max(largest, body.state.velocity.norm() + body.state.angular_velocity.norm() * body.shape.reach);
+    if (body.moves())
+      largest = std::max(largest, body.state.velocity.norm() + body.state.angular_velocity.norm() * body.shape.reach);
   return largest;
 }
 
@@ -140,7 +252,7 @@ void Bodies::relocate_water(const Body& body, const BodyState& before, const Eig
 std::vector<Bodies::Motion> Bodies::motions() const {
   std::vector<Motion> motions;
   motions.reserve(bodies_.size());
-  for (const Body& body : bodies_) motions.push_back({body.state, body.driven});
+  for (const Body& body : bodies_) motions.push_back({body.state, body.driven, body.free, body.meter});
   return motions;
 }
 
@@ -148,6 +260,8 @@ void Bodies::restore(const std::vector<Motion>& motions, const Eigen::Vector3d& 
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     bodies_[i].state = motions[i].state;
     bodies_[i].driven = motions[i].driven;
+    bodies_[i].free = motions[i].free;
+    bodies_[i].meter = motions[i].meter;
   }
   if (!bodies_.empty()) place(origin, fluid);
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "rigid/body_mass.hpp"
+
 namespace pelagos {
 
 namespace {
@@ -96,6 +98,23 @@ void check_rim(const Scene& scene, const PlacedShape& body, std::vector<std::str
   }
 }
 
+/// Mean densities beyond these shares of the water's are not known to be stable.
+constexpr double kLightest = 0.02, kHeaviest = 20.0;
+
+void check_mass(const Scene& scene, const PlacedShape& body, std::vector<std::string>& faults) {
+  const MassSettings& settings = body.settings->mass;
+  if (!is_free(body.settings->drive)) return;
+  const MassProperties& solid = body.shape->solid;
+  const double share = body_mass(settings, solid).mass / solid.volume / scene.water.rest_density;
+  if (!(share >= kLightest && share <= kHeaviest))
+    faults.push_back("its mean density is " + digits(share) +
+                     " times that of the water; allowed: " + digits(kLightest) + " to " + digits(kHeaviest) +
+                     " (its mesh encloses " + digits(solid.volume) + " m^3)");
+  if (settings.centre && !body.shape->bounding_box.contains(*settings.centre))
+    faults.push_back("its centre of mass " + describe(*settings.centre) + " m lies outside its mesh, " +
+                     describe(body.shape->bounding_box.min()) + " to " + describe(body.shape->bounding_box.max()));
+}
+
 /// How many samples of a body are inside the other.
 std::size_t samples_inside(const PlacedShape& body, const PlacedShape& other) {
   if (other.shape->kind == MeshKind::kClosed && !place_of(body).intersects(place_of(other))) return 0;
@@ -129,6 +148,7 @@ std::vector<std::string> body_faults(const Scene& scene, double support_radius, 
     std::vector<std::string> faults;
     check_mesh(body, faults);
     if (faults.empty()) {
+      check_mass(scene, body, faults);
       check_in_tank(scene, support_radius, body, faults);
       check_faces(scene, support_radius, body, faults);
       check_rim(scene, body, faults);

@@ -15,6 +15,7 @@ void RecoveryPoint::restore(const Eigen::Vector3d& origin, FluidState& fluid, Bo
   fluid.particles = particles_;
   fluid.last_dt = last_dt_;
   fluid.gradients_present = false;
+  fluid.coupling.contacts.clear();
   bodies.restore(bodies_, origin, fluid);
   clock = clock_;
   largest_speed = largest_speed_;

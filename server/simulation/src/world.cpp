@@ -112,6 +112,10 @@ WorldStep World::advance() {
     bodies_.advance(now, dt, origin_, fluid_);
   }
   advance_fluid(*pool_, fluid_, dt, clock, report);
+  if (!bodies_.empty()) {
+    const StageScope scope(report.times, clock, Stage::kBodies);
+    bodies_.receive(dt, fluid_);
+  }
   {
     const StageScope scope(report.times, clock, Stage::kAcceleration);
     start_acceleration(*pool_, fluid_, report);
@@ -128,7 +132,7 @@ WorldStep World::advance() {
     measure_fluid(*pool_, fluid_, dt, report);
   }
   ++step_;
-  if (report.not_finite > 0) {
+  if (report.not_finite > 0 || !bodies_.finite()) {
     step.fault = recover();
     if (step.fault == StepFault::kRestored) return step;
   }
@@ -155,6 +159,7 @@ void World::fill_snapshot(Snapshot& snapshot, StepReport& report) {
   snapshot.origin = origin_;
   snapshot.total_particles = static_cast<std::uint32_t>(fluid_.particles.count);
   snapshot.bodies = bodies_.states();
+  snapshot.loads = bodies_.take_loads(origin_, fluid_, water_level_ - origin_.z());
   snapshot.oil.reset();
   if (spill_) snapshot.oil.emplace(OilSnapshot{spill_->budget(), spill_->discs()});
   const SurfaceInput input{fluid_.particles,        fluid_.walls, fluid_.fluid_list, fluid_.wall_list,

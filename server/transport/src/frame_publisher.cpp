@@ -85,6 +85,7 @@ class FramePublisher::Implementation {
       if (!snapshot) continue;
       snapshot->particles.clear();
       snapshot->bodies.clear();
+      snapshot->loads.clear();
       return snapshot;
     }
     return std::make_unique<Snapshot>();
@@ -193,6 +194,7 @@ class FramePublisher::Implementation {
       count_write(event_writer_.write(&sample), "event");
     }
     if (work.snapshot) publish_frame(*work.snapshot, work.particle_spacing);
+    if (work.snapshot) publish_loads(*work.snapshot);
     if (work.snapshot && work.snapshot->oil) publish_oil(*work.snapshot, *work.snapshot->oil);
     if (work.status) {
       publish_status(*work.status);
@@ -235,6 +237,15 @@ class FramePublisher::Implementation {
     const wire::OilSample sample(snapshot, oil, source_);
     count_write(slick_writer_->write(&sample.slick()), "slick");
     count_write(oil_budget_writer_->write(&sample.budget()), "oil_budget");
+  }
+
+  void publish_loads(const Snapshot& snapshot) {
+    if (snapshot.loads.empty()) return;
+    if (!load_writer_) load_writer_.emplace(*participant_, topics::body_load());  // in scenes with moving bodies only
+    for (const BodyLoad& load : snapshot.loads) {
+      const pelagos_BodyLoadV1 sample = wire::to_wire(load, snapshot, source_, frame_);
+      count_write(load_writer_->write(&sample), "body_load");
+    }
   }
 
   /// Status, and the wind with it.
@@ -284,6 +295,7 @@ class FramePublisher::Implementation {
   DdsWriter status_writer_, status_v1_writer_;
   DdsWriter wind_writer_;
   DdsWriter event_writer_;
+  std::optional<DdsWriter> load_writer_;                       ///< of the publisher thread
   std::optional<DdsWriter> slick_writer_, oil_budget_writer_;  ///< of the publisher thread
 
   // Of the publisher thread alone.

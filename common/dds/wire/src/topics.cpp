@@ -9,6 +9,7 @@ using std::chrono::milliseconds;
 
 // Readers hold a few servers at most: a hostile peer that makes up sources must not fill the memory.
 constexpr int kMostSources = 64;
+constexpr int kMostBodies = 64;  // of a scene
 
 TopicQos reader_qos() {
   TopicQos qos;
@@ -49,6 +50,13 @@ TopicSpec slick() {
   return {"slick_v1", &pelagos_SlickV1_desc, writer, reader_qos()};
 }
 TopicSpec oil_budget() { return {"oil_budget_v1", &pelagos_OilBudgetV1_desc, for_late({}), for_late(reader_qos())}; }
+
+TopicSpec body_load() {
+  TopicQos writer, reader = reader_qos();
+  writer.depth = 2;
+  reader.most_instances = kMostSources * kMostBodies;
+  return {"body_load_v1", &pelagos_BodyLoadV1_desc, writer, reader};
+}
 
 // Events come in bursts and each one counts.
 TopicSpec event() {

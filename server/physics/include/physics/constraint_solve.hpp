@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/coupling.hpp"
 #include "physics/pair_passes.hpp"
 #include "physics/step_report.hpp"
 
@@ -29,14 +30,17 @@ struct SolveSettings {
 struct ConstraintProblem {
   const PairData* data = nullptr;
   const Gradients* gradients = nullptr;
-  std::span<const float> source;  ///< b, no unit
-  float warm_factor = 0.0F;       ///< (dt / previous dt)^2; 0 starts cold
+  std::span<const float> source;         ///< b, no unit
+  float warm_factor = 0.0F;              ///< (dt / previous dt)^2; 0 starts cold
+  const BodyCoupling* bodies = nullptr;  ///< that answer the pressure; null: none does
+  double particle_mass = 0.0;            ///< kg, rho_ref V; only where bodies answer
 };
 
 /// Arrays of a solve, kept between steps to avoid allocation.
 struct SolveWorkspace {
   std::vector<float> pressure, start, residual, direction, image;
   std::vector<Float4> displacement, trial;
+  std::vector<BodyMotion> answers;
 };
 
 /// Solves a constraint.

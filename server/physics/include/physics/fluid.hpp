@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/constraint_solve.hpp"
+#include "physics/coupling.hpp"
 #include "physics/ghosts.hpp"
 #include "physics/grid.hpp"
 #include "physics/neighbor_search.hpp"
@@ -57,7 +58,9 @@ struct FluidState {
   BoundaryParticles walls;       ///< static samples first (cell order), moving ones after them (cell order)
   std::size_t static_walls = 0;  ///< how many of `walls` never move
   std::vector<Float4> moving_position, moving_velocity;  ///< as placed by whoever moves the bodies; V_b in w
-  double last_dt = 0.0;                                  ///< s; 0 before the first step
+  bool walls_move = false;  ///< some moving sample belongs to no body of `coupling`: its velocity counts by itself
+  BodyCoupling coupling;    ///< rigid bodies among the moving samples
+  double last_dt = 0.0;     ///< s; 0 before the first step
   bool gradients_present = false;  ///< lists and gradients belong to the present positions (dfsph needs them)
   bool density_present = false;    ///< the densities do; else start_acceleration computes them
 
@@ -107,7 +110,9 @@ void add_static_walls(TaskPool& pool, FluidState& state, std::span<const Float4>
 /// Advances the water by dt with the chosen scheme: predict, sort, search, constraints. The accelerations of the last
 /// step act (gravity in the first one). Successive steps should be of like size: a repair u of the density, about
 /// tolerance times spacing, becomes the velocity u / dt, so a step of a hundredth of the last one adds energy. Moving
-/// walls are read from moving_position / moving_velocity, which hold their state at the end of the step.
+/// walls are read from moving_position / moving_velocity, which hold their state at the end of the step; for samples of
+/// a body of `coupling` the body's own velocities count instead. Bodies answer in the solves that push the water: in
+/// all but the corrected scheme's repair of positions, which is no force, and the literal iteration of pbf.
 void advance_fluid(TaskPool& pool, FluidState& state, double dt, Clock clock, StepReport& report);
 
 /// Gravity and viscosity into particles.acceleration, and the densities at the final positions where the scheme has

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "physics/particles.hpp"
+#include "rigid/mass_properties.hpp"
 #include "rigid/mesh_query.hpp"
 #include "rigid/triangle_mesh.hpp"
 #include "values/body.hpp"
@@ -19,7 +20,8 @@ namespace pelagos {
 struct BodyShape {
   std::vector<Eigen::Vector3f> samples;  ///< m
   MeshKind kind = MeshKind::kClosed;
-  double volume = 0.0;                              ///< m^3, enclosed by a closed mesh; 0 for an open one
+  TriangleMesh mesh;                                ///< m
+  MassProperties solid;                             ///< of a closed mesh; zero for an open one
   Eigen::AlignedBox3d bounding_box;                 ///< m, of the mesh
   double reach = 0.0;                               ///< m, largest distance of a sample from the body's origin
   std::vector<std::array<Eigen::Vector3d, 2>> rim;  ///< m, edges where an open mesh ends

@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "physics/fluid.hpp"
+#include "rigid/body_contacts.hpp"
 #include "rigid/body_shape.hpp"
 #include "rigid/driven_body.hpp"
+#include "rigid/free_body.hpp"
+#include "simulation/load_meter.hpp"
 #include "values/body.hpp"
 #include "values/scene.hpp"
 
@@ -38,9 +41,21 @@ class Bodies {
   /// Takes a validated pose. False if no body follows poses under its id or it is not newer than the last one.
   bool accept(const BodyPose& pose, double now);
 
-  /// Moves all driven bodies from `now` to `now + dt` and places their samples. Water that a jumping body lands on is
-  /// carried to where that body was: nothing is lost, nothing is trapped.
+  /// Moves all bodies from `now` to `now + dt`, free ones as they would go without the water's push, and places their
+  /// samples. Water that a jumping body lands on is carried to where that body was: nothing is lost, nothing is
+  /// trapped.
   void advance(double now, double dt, const Eigen::Vector3d& origin, FluidState& fluid);
+
+  /// After the water's step of dt: free bodies take its push and keep out of each other, of scenery and of walls; loads
+  /// are metered.
+  void receive(double dt, const FluidState& fluid);
+
+  /// What the water did to each body that moves or may move, averaged since the last call.
+  [[nodiscard]] std::vector<BodyLoad> take_loads(const Eigen::Vector3d& origin, const FluidState& fluid,
+                                                 double still_level);
+
+  /// Whether all places and velocities are numbers.
+  [[nodiscard]] bool finite() const;
 
   /// Places the samples of the present states; once before the first step.
   void place(const Eigen::Vector3d& origin, FluidState& fluid) const;
@@ -54,6 +69,8 @@ class Bodies {
   struct Motion {
     BodyState state;
     std::optional<DrivenBody> driven;
+    std::optional<FreeBody> free;
+    LoadMeter meter;
   };
   [[nodiscard]] std::vector<Motion> motions() const;
   void restore(const std::vector<Motion>& motions, const Eigen::Vector3d& origin, FluidState& fluid);
@@ -62,14 +79,26 @@ class Bodies {
   struct Body {
     BodySettings settings;
     BodyShape shape;
-    std::optional<DrivenBody> driven;
+    std::optional<DrivenBody> driven;  ///< follows poses
+    std::optional<FreeBody> free;      ///< is pushed; with `driven` too, that leads its place and heading
     BodyState state;
+    LoadMeter meter;
     std::size_t first_sample = 0;  ///< among the moving ones
+    std::size_t hull = 0;          ///< in `contacts_`, where there are any
+
+    bool held = false;  ///< free, but not yet
+
+    [[nodiscard]] bool moves() const { return driven || free; }
+    [[nodiscard]] bool gives_way() const { return free && !held; }
   };
   struct StaticSample {
     Eigen::Vector3d position;  ///< m, world
     float volume;              ///< V_b, m^3
   };
+  void make_contacts(const Scene& scene);
+  /// A body as the water's solves see it: a driven one about its origin, and it gives way to nothing.
+  [[nodiscard]] static CoupledBody coupled_body(const Body& body, const Eigen::Vector3d& origin);
+  void touch(double dt);
   void add_samples(TaskPool& pool, const Scene& scene, double support_radius, Body& body);
   void relocate_water(const Body& body, const BodyState& before, const Eigen::Vector3d& origin,
                       FluidState& fluid) const;
@@ -77,6 +106,7 @@ class Bodies {
   std::vector<Body> bodies_;
   std::vector<float> volumes_;  ///< V_b of the moving samples, m^3
   std::vector<StaticSample> static_;
+  std::optional<BodyContacts> contacts_;  ///< only where a body is free
 };
 
 }  // namespace pelagos

@@ -135,8 +135,27 @@ struct OilSettings {
 };
 
 enum class BodyDrive {
-  kStatic,  ///< stays where the scene puts it
-  kPose,    ///< follows poses received from outside; holds its first pose until one arrives
+  kStatic,          ///< stays where the scene puts it
+  kPose,            ///< follows poses received from outside; holds its first pose until one arrives
+  kFree,            ///< moves as the water and its weight push it
+  kPoseHorizontal,  ///< place and heading follow poses; heave, roll and pitch are free
+};
+
+/// Whether a body goes where the water pushes it, at least in part.
+[[nodiscard]] inline bool is_free(BodyDrive drive) {
+  return drive == BodyDrive::kFree || drive == BodyDrive::kPoseHorizontal;
+}
+/// Whether it takes poses.
+[[nodiscard]] inline bool is_led(BodyDrive drive) {
+  return drive == BodyDrive::kPose || drive == BodyDrive::kPoseHorizontal;
+}
+
+/// What a free body weighs: one of mass and density.
+struct MassSettings {
+  double mass = 0.0;                        ///< kg; 0: from the density
+  double density = 0.0;                     ///< kg/m^3 of the volume that its mesh encloses; 0: the mass is given
+  std::optional<Eigen::Vector3d> centre;    ///< m, body axes, of mass; none: of the volume
+  std::optional<Eigen::Vector3d> gyration;  ///< m, radii about the axes through it; none: those of a solid
 };
 
 /// A rigid body whose surface is sampled with boundary particles.
@@ -147,9 +166,12 @@ struct BodySettings {
   std::optional<Primitive> primitive;  ///< in place of a mesh file
   double mesh_scale = 1.0;             ///< m per unit of the file
   MeshAxes mesh_axes = MeshAxes::kXForwardZUp;
-  bool open = false;          ///< the mesh is one side of something larger; static bodies only
-  double sample_inset = 0.6;  ///< samples lie this many spacings inside the surface
+  bool open = false;           ///< the mesh is one side of something larger; static bodies only
+  double sample_inset = 0.53;  ///< samples lie this many spacings inside the surface
   BodyDrive drive = BodyDrive::kPose;
+  MassSettings mass;                                                ///< of free bodies
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();               ///< m/s, world, at the start; of free bodies
+  double free_from = 0.0;                                           ///< s, simulated: they hold their place until then
   Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< m, world frame, of the body's origin
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world
 };

@@ -8,6 +8,7 @@
 #include "packing/particle_codec.hpp"
 #include "pelagos.h"
 #include "values/body.hpp"
+#include "values/body_load.hpp"
 #include "values/command.hpp"
 #include "values/scene_info.hpp"
 #include "values/snapshot.hpp"
@@ -24,6 +25,11 @@ namespace pelagos::wire {
 
 [[nodiscard]] pelagos_BodyStateV1 to_wire(const BodyState& state, pelagos_WorldFrame frame);
 [[nodiscard]] BodyState from_wire(const pelagos_BodyStateV1& state);
+
+/// The load of a frame; `frame` says which body axes it is written in.
+[[nodiscard]] pelagos_BodyLoadV1 to_wire(const BodyLoad& load, const Snapshot& snapshot, std::uint64_t source,
+                                         pelagos_WorldFrame frame);
+[[nodiscard]] BodyLoad from_wire(const pelagos_BodyLoadV1& load);
 
 [[nodiscard]] pelagos_PoseV1 to_wire(const BodyPose& pose, std::uint32_t sender, pelagos_WorldFrame frame);
 /// Does not validate: see PoseReceiver. An angular rate or velocity that is not finite stays so.

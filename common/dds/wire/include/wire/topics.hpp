@@ -13,6 +13,7 @@ namespace pelagos::topics {
 [[nodiscard]] TopicSpec wind();
 [[nodiscard]] TopicSpec slick();
 [[nodiscard]] TopicSpec oil_budget();
+[[nodiscard]] TopicSpec body_load();
 [[nodiscard]] TopicSpec event();
 [[nodiscard]] TopicSpec own_ship_pose();
 [[nodiscard]] TopicSpec body_pose();

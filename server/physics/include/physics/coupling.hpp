@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pelagos {
+
+// Rigid bodies inside the pressure solve. A body that is pushed only after a solve feels the whole weight of the water
+// that it should have shared with it: light bodies blow up. So a body answers every trial pressure p: with its samples
+// b, of volume V_b and at the arm r_b from its centre of mass,
+//   G_ik = sum_b a_ib ,  H_ik = sum_b r_b x a_ib                       of particle i and body k, see pair_passes.hpp
+//   u_k = rho_ref V M_k^-1 sum_i p_i G_ik ,  turn_k = rho_ref V I_k^-1 sum_i p_i H_ik
+//   (J u)_i -= u_k . G_ik + turn_k . H_ik
+// which adds the bodies' six columns to J, and their masses to W: A = J W J' stays symmetric, so the conjugate
+// gradients stand, and what the water gives the body takes: third law to rounding. (Strong coupling as in Akinci et al.
+// 2012 and Band et al. 2018, there for Jacobi; here on the constraints themselves.)
+
+/// A rigid body, as the solves see it. World axes.
+struct CoupledBody {
+  std::size_t first_sample = 0, sample_count = 0;      ///< its samples among FluidState::moving_position
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();    ///< m, local: of mass; moments are about it
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s, of `centre`: without the water's push, then with it
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s, likewise
+  /// 1/kg for each axis and 1/(kg m^2) about `centre`; zero along what somebody else drives.
+  Eigen::Vector3d inverse_mass = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d inverse_inertia = Eigen::Matrix3d::Zero();
+
+  // What a step has done; set to zero before it.
+  Eigen::Vector3d impulse = Eigen::Vector3d::Zero();          ///< N s, of the water on the body
+  Eigen::Vector3d angular_impulse = Eigen::Vector3d::Zero();  ///< N m s, about `centre`
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();     ///< m, beyond the place that the samples were given
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();             ///< rad, likewise
+
+  [[nodiscard]] bool answers() const { return !inverse_mass.isZero(0.0) || !inverse_inertia.isZero(0.0); }
+};
+
+/// A particle within the support of a body's samples.
+struct BodyContact {
+  std::uint32_t particle = 0, body = 0;
+  Eigen::Vector3f gradient = Eigen::Vector3f::Zero();  ///< G_ik, 1/m
+  Eigen::Vector3f moment = Eigen::Vector3f::Zero();    ///< H_ik, no unit
+};
+
+/// A small motion, or a velocity.
+struct BodyMotion {
+  Eigen::Vector3d way = Eigen::Vector3d::Zero(), turn = Eigen::Vector3d::Zero();
+};
+
+/// All bodies of the water and their contacts at the present lists.
+struct BodyCoupling {
+  std::vector<CoupledBody> bodies;        ///< set before each step by whoever moves them
+  std::vector<BodyContact> contacts;      ///< by particle
+  std::vector<std::int32_t> sample_body;  ///< of every moving sample in the walls' order; -1: none
+
+  [[nodiscard]] bool empty() const { return bodies.empty(); }
+};
+
+/// sum_i p_i G_ik and sum_i p_i H_ik of every body, m and m^2 for p in m^2.
+void sum_pressure(const BodyCoupling& coupling, std::span<const float> pressure, std::vector<BodyMotion>& sums);
+
+/// What the bodies answer to a pressure: u_k and turn_k. @param particle_mass  rho_ref V, kg
+void answer_pressure(const BodyCoupling& coupling, std::span<const float> pressure, double particle_mass,
+                     std::vector<BodyMotion>& motions);
+
+/// rate_i -= way_k . G_ik + turn_k . H_ik
+void add_body_rates(const BodyCoupling& coupling, std::span<const BodyMotion> motions, std::span<float> rate);
+
+}  // namespace pelagos

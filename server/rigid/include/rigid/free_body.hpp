@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "rigid/body_mass.hpp"
+#include "values/body.hpp"
+
+namespace pelagos {
+
+/// A body of mass in motion, with all six freedoms or with heave, roll and pitch alone. World axes; its position is
+/// that of its centre of mass. The water's push comes from elsewhere (physics/coupling.hpp), in three moves a step:
+/// `predict` where it would go without, let the water push, `take` what it did.
+class FreeBody {
+ public:
+  /// Which freedoms it has; the others follow `lead`.
+  enum class Freedom { kAll, kHeaveRollPitch };
+  /// Whether a step moves with the velocity before gravity has acted (as the corrected scheme moves water) or after.
+  enum class Order { kDriftFirst, kGravityFirst };
+
+  /// @param start  of the body's origin, velocities included
+  FreeBody(const BodyState& start, const BodyMass& mass, Freedom freedom);
+
+  /// Moves the body by dt under gravity (m/s^2, along -z) alone. Rotation keeps the angular momentum: bodies that spin
+  /// freely neither gain nor lose it.
+  void predict(double dt, double gravity, Order order);
+
+  /// Takes place, heading and their rates from where the body is led; the other freedoms are kept.
+  void lead(const BodyState& leader);
+
+  /// Adds what the water did beyond the prediction: a displacement of the centre, a turn, and the velocities after it.
+  void take(const Eigen::Vector3d& displacement, const Eigen::Vector3d& turn, const Eigen::Vector3d& velocity,
+            const Eigen::Vector3d& angular_velocity);
+
+  /// Position, orientation and velocities of the body's origin; its other fields are left alone.
+  void write_to(BodyState& state) const;
+
+  [[nodiscard]] const Eigen::Vector3d& centre() const { return centre_; }
+  [[nodiscard]] const Eigen::Quaterniond& orientation() const { return orientation_; }  ///< body to world
+  [[nodiscard]] const Eigen::Vector3d& velocity() const { return velocity_; }
+  [[nodiscard]] const Eigen::Vector3d& angular_velocity() const { return angular_velocity_; }
+  [[nodiscard]] const BodyMass& mass() const { return mass_; }
+  [[nodiscard]] Freedom freedom() const { return freedom_; }
+
+  /// What a push changes: 1/kg for each axis, and 1/(kg m^2) about the centre. Zero along what is led.
+  [[nodiscard]] Eigen::Vector3d inverse_mass() const;
+  [[nodiscard]] Eigen::Matrix3d inverse_inertia() const;
+  [[nodiscard]] Eigen::Vector3d angular_momentum() const { return inertia() * angular_velocity_; }
+
+ private:
+  [[nodiscard]] Eigen::Matrix3d inertia() const;  ///< world axes
+  void drift(double dt);
+
+  BodyMass mass_;
+  Freedom freedom_;
+  Eigen::Vector3d centre_, velocity_, angular_velocity_;
+  Eigen::Quaterniond orientation_;
+};
+
+}  // namespace pelagos

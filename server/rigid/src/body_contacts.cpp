@@ -1,0 +1,183 @@
+#include "rigid/body_contacts.hpp"
+
+#include <btBulletCollisionCommon.h>
+#include <btBulletDynamicsCommon.h>
+
+#include <Eigen/Eigenvalues>
+#include <vector>
+
+namespace pelagos {
+
+namespace {
+
+constexpr double kFriction = 0.4;  ///< steel on steel or on a wet quay, roughly
+constexpr double kMargin = 0.02;   ///< of the length: shapes grow by so much
+/// Share of an overlap that is pushed out in a step, as a velocity.
+constexpr double kPushOut = 0.1;
+
+btVector3 to_bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+btQuaternion to_bullet(const Eigen::Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
+Eigen::Vector3d from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+/// The axes in which a body's inertia is diagonal.
+struct PrincipalAxes {
+  Eigen::Quaterniond to_body = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d moments = Eigen::Vector3d::Zero();  ///< kg m^2
+};
+PrincipalAxes principal_axes(const Eigen::Matrix3d& inertia) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
+  Eigen::Matrix3d axes = solver.eigenvectors();
+  if (axes.determinant() < 0.0) axes.col(2) = -axes.col(2);
+  return {Eigen::Quaterniond(axes), solver.eigenvalues()};
+}
+
+}  // namespace
+
+/// Owns what Bullet only borrows.
+struct BodyContacts::World {
+  explicit World(double scale) : length(scale) { bullet.setForceUpdateAllAabbs(false); }
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+  ~World() {
+    for (const auto& body : bodies) bullet.removeCollisionObject(body.get());
+  }
+
+  struct Hull {
+    btRigidBody* body = nullptr;
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();             ///< m, body axes, of Bullet's body
+    Eigen::Quaterniond to_body = Eigen::Quaterniond::Identity();  ///< from its axes
+  };
+
+  btRigidBody& add(std::unique_ptr<btCollisionShape> shape, double mass, const Eigen::Vector3d& moments) {
+    bodies.push_back(std::make_unique<btRigidBody>(mass, nullptr, shape.get(), to_bullet(moments)));
+    btRigidBody& body = *bodies.back();
+    body.setFriction(kFriction);
+    body.setRestitution(0.0);
+    body.setFlags(0);  // gyroscopic moments are not Bullet's to add
+    body.setActivationState(DISABLE_DEACTIVATION);
+    shapes.push_back(std::move(shape));
+    return body;
+  }
+  void publish(btRigidBody& body, int group, int mask) { bullet.addCollisionObject(&body, group, mask); }
+
+  std::unique_ptr<btCollisionShape> hull_shape(const TriangleMesh& mesh, const Hull& hull) const {
+    auto shape = std::make_unique<btConvexHullShape>();
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+      shape->addPoint(to_bullet(hull.to_body.conjugate() * (vertex - hull.centre)), false);
+    shape->recalcLocalAabb();
+    if (shape->getNumPoints() > 100) shape->optimizeConvexHull();
+    shape->setMargin(kMargin * length);
+    return shape;
+  }
+
+  void place(const Hull& hull, const Eigen::Vector3d& centre, const Eigen::Quaterniond& orientation,
+             const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity) {
+    const btTransform transform(to_bullet(orientation * hull.to_body), to_bullet(centre));
+    hull.body->setWorldTransform(transform);
+    hull.body->setInterpolationWorldTransform(transform);
+    hull.body->setLinearVelocity(to_bullet(velocity));
+    hull.body->setAngularVelocity(to_bullet(angular_velocity));
+    hull.body->updateInertiaTensor();
+  }
+
+  static constexpr int kFixedGroup = 1, kDrivenGroup = 2, kFreeGroup = 4;
+
+  double length;
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btCollisionWorld bullet{&dispatcher, &broadphase, &configuration};
+  btSequentialImpulseConstraintSolver solver;
+  std::vector<std::unique_ptr<btCollisionShape>> shapes;
+  std::vector<std::unique_ptr<btTriangleMesh>> meshes;
+  std::vector<std::unique_ptr<btRigidBody>> bodies;
+  std::vector<Hull> hulls;
+};
+
+BodyContacts::BodyContacts(double length) : world_(std::make_unique<World>(length)) {}
+BodyContacts::~BodyContacts() = default;
+BodyContacts::BodyContacts(BodyContacts&&) noexcept = default;
+BodyContacts& BodyContacts::operator=(BodyContacts&&) noexcept = default;
+
+void BodyContacts::add_plane(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
+  auto shape = std::make_unique<btStaticPlaneShape>(to_bullet(normal), normal.dot(point));
+  shape->setMargin(0.0);
+  btRigidBody& body = world_->add(std::move(shape), 0.0, Eigen::Vector3d::Zero());
+  world_->publish(body, World::kFixedGroup, World::kFreeGroup);
+}
+
+void BodyContacts::add_scenery(const TriangleMesh& mesh, const Eigen::Vector3d& position,
+                               const Eigen::Quaterniond& orientation) {
+  auto triangles = std::make_unique<btTriangleMesh>();
+  const auto corner = [&](std::size_t t, std::size_t c) {
+    return to_bullet(orientation * mesh.corner(t, c) + position);
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    triangles->addTriangle(corner(t, 0), corner(t, 1), corner(t, 2));
+  auto shape = std::make_unique<btBvhTriangleMeshShape>(triangles.get(), true);
+  shape->setMargin(kMargin * world_->length);
+  world_->meshes.push_back(std::move(triangles));
+  btRigidBody& body = world_->add(std::move(shape), 0.0, Eigen::Vector3d::Zero());
+  world_->publish(body, World::kFixedGroup, World::kFreeGroup);
+}
+
+std::size_t BodyContacts::add_driven(const TriangleMesh& mesh) {
+  World::Hull hull;
+  hull.body = &world_->add(world_->hull_shape(mesh, hull), 0.0, Eigen::Vector3d::Zero());
+  hull.body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+  world_->publish(*hull.body, World::kDrivenGroup, World::kFreeGroup);
+  world_->hulls.push_back(hull);
+  return world_->hulls.size() - 1;
+}
+
+std::size_t BodyContacts::add_free(const TriangleMesh& mesh, const BodyMass& mass, FreeBody::Freedom freedom) {
+  const PrincipalAxes axes = principal_axes(mass.inertia);
+  World::Hull hull{nullptr, mass.centre, axes.to_body};
+  hull.body = &world_->add(world_->hull_shape(mesh, hull), mass.mass, axes.moments);
+  if (freedom == FreeBody::Freedom::kHeaveRollPitch) {
+    hull.body->setLinearFactor({0, 0, 1});
+    hull.body->setAngularFactor({1, 1, 0});
+  }
+  world_->publish(*hull.body, World::kFreeGroup, World::kFixedGroup | World::kDrivenGroup | World::kFreeGroup);
+  world_->hulls.push_back(hull);
+  return world_->hulls.size() - 1;
+}
+
+void BodyContacts::place_driven(std::size_t hull, const BodyState& state) {
+  world_->place(world_->hulls[hull], state.position, state.orientation, state.velocity, state.angular_velocity);
+}
+
+void BodyContacts::place_free(std::size_t hull, const FreeBody& body) {
+  world_->place(world_->hulls[hull], body.centre(), body.orientation(), body.velocity(), body.angular_velocity());
+}
+
+bool BodyContacts::resolve(double dt) {
+  World& w = *world_;
+  w.bullet.performDiscreteCollisionDetection();
+  const int count = w.dispatcher.getNumManifolds();
+  std::vector<btPersistentManifold*> touching;
+  for (int k = 0; k < count; ++k)
+    if (w.dispatcher.getManifoldByIndexInternal(k)->getNumContacts() > 0)
+      touching.push_back(w.dispatcher.getManifoldByIndexInternal(k));
+  if (touching.empty()) return false;
+  btContactSolverInfo settings;
+  settings.m_timeStep = dt;
+  settings.m_erp = settings.m_erp2 = kPushOut;
+  settings.m_splitImpulse = 0;
+  settings.m_restitutionVelocityThreshold = 0.0;
+  btAlignedObjectArray<btCollisionObject*>& objects = w.bullet.getCollisionObjectArray();
+  w.solver.prepareSolve(objects.size(), static_cast<int>(touching.size()));
+  w.solver.solveGroup(&objects[0], objects.size(), touching.data(), static_cast<int>(touching.size()), nullptr, 0,
+                      settings, nullptr, &w.dispatcher);
+  return true;
+}
+
+Eigen::Vector3d BodyContacts::velocity(std::size_t hull) const {
+  return from_bullet(world_->hulls[hull].body->getLinearVelocity());
+}
+
+Eigen::Vector3d BodyContacts::angular_velocity(std::size_t hull) const {
+  return from_bullet(world_->hulls[hull].body->getAngularVelocity());
+}
+
+}  // namespace pelagos

@@ -1,0 +1,72 @@
+#include "rigid/free_body.hpp"
+
+#include <Eigen/LU>
+
+#include "rigid/turn.hpp"
+
+namespace pelagos {
+
+FreeBody::FreeBody(const BodyState& start, const BodyMass& mass, Freedom freedom)
+    : mass_(mass), freedom_(freedom), angular_velocity_(start.angular_velocity), orientation_(start.orientation) {
+  const Eigen::Vector3d arm = orientation_ * mass_.centre;
+  centre_ = start.position + arm;
+  velocity_ = start.velocity + angular_velocity_.cross(arm);
+}
+
+Eigen::Matrix3d FreeBody::inertia() const {
+  const Eigen::Matrix3d rotation = orientation_.toRotationMatrix();
+  return rotation * mass_.inertia * rotation.transpose();
+}
+
+Eigen::Vector3d FreeBody::inverse_mass() const {
+  const double inverse = 1.0 / mass_.mass;
+  return freedom_ == Freedom::kAll ? Eigen::Vector3d::Constant(inverse) : Eigen::Vector3d(0.0, 0.0, inverse);
+}
+
+Eigen::Matrix3d FreeBody::inverse_inertia() const {
+  if (freedom_ == Freedom::kAll) return inertia().inverse();
+  // The yaw rate is led, so it does not change, whatever the moment: the tilts answer alone.
+  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
+  inverse.topLeftCorner<2, 2>() = inertia().topLeftCorner<2, 2>().inverse();
+  return inverse;
+}
+
+void FreeBody::drift(double dt) {
+  const Eigen::Vector3d momentum = angular_momentum();
+  centre_ += dt * velocity_;
+  orientation_ = (rotation_of(dt * angular_velocity_) * orientation_).normalized();
+  if (freedom_ == Freedom::kAll) angular_velocity_ = inverse_inertia() * momentum;
+}
+
+void FreeBody::predict(double dt, double gravity, Order order) {
+  if (order == Order::kDriftFirst) drift(dt);
+  velocity_.z() -= dt * gravity;
+  if (order == Order::kGravityFirst) drift(dt);
+}
+
+void FreeBody::lead(const BodyState& leader) {
+  orientation_ = (yaw_of(leader.orientation) * yaw_of(orientation_).conjugate() * orientation_).normalized();
+  angular_velocity_.z() = leader.angular_velocity.z();
+  const Eigen::Vector3d arm = orientation_ * mass_.centre;
+  const Eigen::Vector3d yaw_rate(0.0, 0.0, leader.angular_velocity.z());
+  centre_.head<2>() = (leader.position + arm).head<2>();
+  velocity_.head<2>() = (leader.velocity + yaw_rate.cross(arm)).head<2>();
+}
+
+void FreeBody::take(const Eigen::Vector3d& displacement, const Eigen::Vector3d& turn, const Eigen::Vector3d& velocity,
+                    const Eigen::Vector3d& angular_velocity) {
+  centre_ += displacement;
+  orientation_ = (rotation_of(turn) * orientation_).normalized();
+  velocity_ = velocity;
+  angular_velocity_ = angular_velocity;
+}
+
+void FreeBody::write_to(BodyState& state) const {
+  const Eigen::Vector3d arm = orientation_ * mass_.centre;
+  state.position = centre_ - arm;
+  state.orientation = orientation_;
+  state.velocity = velocity_ - angular_velocity_.cross(arm);
+  state.angular_velocity = angular_velocity_;
+}
+
+}  // namespace pelagos

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rigid/body_shape.hpp"
+#include "rigid/hydrostatics.hpp"
+#include "simulation/surface_columns.hpp"
+#include "values/body.hpp"
+#include "values/body_load.hpp"
+
+namespace pelagos {
+
+/// Places in a ring just outside a body, where the surface tells how the water stands around it; m, local.
+/// @param origin  m, world, of local coordinates
+[[nodiscard]] std::vector<Eigen::Vector2d> ring_around(const BodyShape& shape, const BodyState& state,
+                                                       const Eigen::Vector3d& origin);
+
+/// The plane nearest to what was read there (dry places left out), body axes. Level at `still_level` (m, local) where
+/// there is no water around the body.
+[[nodiscard]] WaterPlane water_around(std::span<const Eigen::Vector2d> ring, std::span<const SurfaceReading> readings,
+                                      const BodyState& state, const Eigen::Vector3d& origin, double still_level);
+
+/// Wetted volume and area, and what still water up to that plane would do to the body, into `load`; moments about
+/// load.point. The plane is exact for waves that are long against the body, and a mean for others. Nothing for an open
+/// mesh.
+/// @param weight_density  N/m^3, of the water
+void measure_buoyancy(const BodyShape& shape, const WaterPlane& water, double weight_density, BodyLoad& load);
+
+}  // namespace pelagos

@@ -1,0 +1,149 @@
+#include "simulation/surface_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <unordered_map>
+
+namespace pelagos {
+
+namespace {
+
+constexpr double kRadius = 2.0;         ///< of a column, spacings
+constexpr double kLevelDepth = 2.0;     ///< spacings below the topmost particle: where the counted volume begins
+constexpr double kSlab = 2.0;           ///< spacings: thickness of the slab that tells how full the column is
+constexpr double kLeastFilling = 0.25;  ///< of a column: less is not water but spray or a gap
+constexpr double kVelocityDepth = 1.5;  ///< spacings
+
+/// A particle of a column: relative to the column's axis.
+struct Member {
+  Eigen::Vector2d way;  ///< m
+  double z = 0.0;       ///< m, local
+  double weight = 0.0;  ///< share of the column's cross-section, 1/m^2 times V: m of height that it fills
+  std::uint32_t particle = 0;
+};
+using Column = std::vector<Member>;
+
+/// Finds the columns that a point may be part of: places in cells as wide as a column.
+class PlaceGrid {
+ public:
+  PlaceGrid(std::span<const Eigen::Vector2d> places, double radius) : radius_(radius) {
+    for (std::uint32_t k = 0; k < places.size(); ++k)
+      for (int i = -1; i <= 1; ++i)
+        for (int j = -1; j <= 1; ++j) cells_[key(cell(places[k].x()) + i, cell(places[k].y()) + j)].push_back(k);
+  }
+  /// Those whose cell or a neighbour of it holds (x, y); null if none.
+  [[nodiscard]] const std::vector<std::uint32_t>* near(double x, double y) const {
+    const auto found = cells_.find(key(cell(x), cell(y)));
+    return found == cells_.end() ? nullptr : &found->second;
+  }
+
+ private:
+  [[nodiscard]] std::int64_t cell(double x) const { return static_cast<std::int64_t>(std::floor(x / radius_)); }
+  static std::int64_t key(std::int64_t i, std::int64_t j) { return i * 0x100000000LL + j; }
+
+  double radius_;
+  std::unordered_map<std::int64_t, std::vector<std::uint32_t>> cells_;
+};
+
+void collect(const FluidState& fluid, std::size_t begin, std::size_t end, std::span<const Eigen::Vector2d> places,
+             const PlaceGrid& grid, std::vector<Column>& columns) {
+  const double radius = kRadius * fluid.parameters.spacing;
+  const double scale = 3.0 / (std::numbers::pi * radius * radius) * fluid.parameters.volume();
+  for (std::size_t i = begin; i < end; ++i) {
+    const Float4& p = fluid.particles.position[i];
+    if (!std::isfinite(p.x + p.y + p.z)) continue;
+    const Eigen::Vector2d at(p.x, p.y);
+    const std::vector<std::uint32_t>* near = grid.near(at.x(), at.y());
+    if (!near) continue;
+    for (const std::uint32_t k : *near) {
+      const Eigen::Vector2d way = at - places[k];
+      const double rest = 1.0 - way.squaredNorm() / (radius * radius);
+      if (rest > 0.0)
+        columns[k].push_back({way, static_cast<double>(p.z), scale * rest * rest, static_cast<std::uint32_t>(i)});
+    }
+  }
+}
+
+/// How much of a particle of thickness d is above a level.
+double share_above(double z, double level, double spacing) { return std::clamp((z - level) / spacing + 0.5, 0.0, 1.0); }
+
+/// What a column holds between two levels: height filled (m) and its first moments (m^2).
+struct Content {
+  double height = 0.0;
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+};
+Content content(const Column& column, double bottom, double top, double spacing) {
+  Content sum;
+  for (const Member& member : column) {
+    const double share = member.weight * (share_above(member.z, bottom, spacing) - share_above(member.z, top, spacing));
+    sum.height += share;
+    sum.moment += share * member.way;
+  }
+  return sum;
+}
+
+/// The topmost particle that has water below it; nothing where all is spray. `column` is sorted, highest first.
+const Member* find_top(const Column& column, double spacing) {
+  for (const Member& candidate : column) {
+    double filled = 0.0;
+    for (const Member& member : column)
+      if (member.z <= candidate.z && member.z > candidate.z - 2.0 * spacing) filled += member.weight;
+    if (filled > kLeastFilling * 2.0 * spacing) return &candidate;
+  }
+  return nullptr;
+}
+
+Eigen::Vector3d mean_velocity(const FluidState& fluid, const Column& column, double bottom, double top) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double weight = 0.0;
+  for (const Member& member : column) {
+    if (member.z < bottom || member.z > top) continue;
+    const Float4& v = fluid.particles.velocity[member.particle];
+    sum += member.weight * Eigen::Vector3d(v.x, v.y, v.z);
+    weight += member.weight;
+  }
+  return weight > 0.0 ? Eigen::Vector3d(sum / weight) : sum;
+}
+
+SurfaceReading read_column(const FluidState& fluid, Column& column) {
+  SurfaceReading reading;
+  const double d = fluid.parameters.spacing, radius = kRadius * d;
+  std::sort(column.begin(), column.end(),
+            [](const Member& a, const Member& b) { return a.z != b.z ? a.z > b.z : a.particle < b.particle; });
+  const Member* top = find_top(column, d);
+  if (!top) return reading;
+  reading.wet = true;
+  const double level = top->z - kLevelDepth * d, above = top->z + 2.0 * d;
+  const Content counted = content(column, level, above, d), slab = content(column, level - kSlab * d, level, d);
+  double filling = slab.height / (kSlab * d);
+  Eigen::Vector2d drift = slab.moment / (kSlab * d);
+  if (column.back().z > level - (kSlab - 0.5) * d || filling < kLeastFilling) {  // shallow: no such slab
+    filling = std::clamp(counted.height / (kLevelDepth * d), kLeastFilling, 1.0);
+    drift.setZero();
+  }
+  const double water = counted.height / filling;
+  reading.height = level + water;
+  // Second moment of the column's weight along an axis: R^2 / 8.
+  const Eigen::Vector2d slope = (counted.moment - water * drift) / (filling * radius * radius / 8.0);
+  reading.normal = Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
+  reading.velocity = mean_velocity(fluid, column, reading.height - kVelocityDepth * d, above);
+  return reading;
+}
+
+}  // namespace
+
+std::vector<SurfaceReading> read_surface(const FluidState& fluid, std::span<const Eigen::Vector2d> places) {
+  std::vector<SurfaceReading> readings(places.size());
+  if (places.empty()) return readings;
+  const PlaceGrid grid(places, kRadius * fluid.parameters.spacing);
+  std::vector<Column> columns(places.size());
+  collect(fluid, 0, fluid.particles.count, places, grid, columns);
+  if (!fluid.ghosts.empty())
+    collect(fluid, fluid.ghosts.begin, fluid.ghosts.begin + fluid.ghosts.count, places, grid, columns);
+  for (std::size_t k = 0; k < places.size(); ++k) readings[k] = read_column(fluid, columns[k]);
+  return readings;
+}
+
+}  // namespace pelagos
