@@ -52,6 +52,23 @@ endfunction()
 # Builds the unit tests and nothing else; what the sanitizer runs of deploy/test build.
 add_custom_target(unit_tests)
 
+# The foreign headers that nearly every test reads, parsed once, and little optimising: the tests call what is optimised, and build in half the time.
+# -fpch-preprocess lets ccache keep what was compiled with them (CCACHE_SLOPPINESS=pch_defines,time_macros).
+# The warnings that are off: with precompiled headers GCC 12 gives them, wrongly, about its own std::string.
+set(PELAGOS_TEST_OPTIONS -fpch-preprocess -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread
+  $<$<CONFIG:Release>:-O1>)
+function(pelagos_add_test_headers)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
+  file(GENERATE OUTPUT ${source} CONTENT "")
+  add_library(pelagos_test_headers OBJECT ${source})
+  target_link_libraries(pelagos_test_headers PUBLIC GTest::gmock Eigen3::Eigen pelagos_warnings Threads::Threads)
+  target_compile_options(pelagos_test_headers PUBLIC ${PELAGOS_TEST_OPTIONS})
+  target_precompile_headers(pelagos_test_headers PRIVATE
+    <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry>
+    <algorithm> <array> <chrono> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional> <random> <span>
+    <string> <thread> <vector>)
+endfunction()
+
 # pelagos_add_test(name SOURCES test_a.cpp ... [LINK lib ...] [LABELS unit] [TIMEOUT seconds] [SERIAL])
 # A GoogleTest program registered with ctest, each TEST a ctest entry. SERIAL: no other test runs beside these.
 function(pelagos_add_test name)
@@ -64,6 +81,8 @@ function(pelagos_add_test name)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main pelagos_warnings)
+  target_compile_options(${name} PRIVATE ${PELAGOS_TEST_OPTIONS})
+  target_precompile_headers(${name} REUSE_FROM pelagos_test_headers)
   target_compile_definitions(${name} PRIVATE PELAGOS_SOURCE_DIR="${CMAKE_SOURCE_DIR}" PELAGOS_BINARY_DIR="${CMAKE_BINARY_DIR}")
   if(ARG_LABELS STREQUAL "unit")
     add_dependencies(unit_tests ${name})

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "simulation/world.hpp"
 #include "values/scene.hpp"
 
@@ -37,6 +39,13 @@ inline Scene sunken_sphere(double density_ratio, SolverKind solver = SolverKind:
 }
 
 inline BodyState body_of(const World& world, std::size_t index = 0) { return world.bodies().states()[index]; }
+
+/// Fails the test where a step went wrong.
+inline void expect_sound(const WorldStep& step) {
+  ASSERT_EQ(step.report.not_finite, 0U);
+  ASSERT_EQ(step.fault, StepFault::kNone);
+  ASSERT_LT(step.report.outside, 10U);
+}
 
 /// Advances to `time` (s); calls visit(step) after each step.
 template <class Visit>

@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+#include "floating.hpp"
+#include "simulation/world.hpp"
+
+namespace pelagos {
+namespace {
+
+using test::body_of;
+using test::expect_sound;
+using test::floating_box;
+using test::run_until;
+using test::sunken_sphere;
+
+constexpr SolverKind kAllSolvers[] = {SolverKind::kHybrid, SolverKind::kDfsph, SolverKind::kPbf,
+                                      SolverKind::kCorrected};
+
+TEST(FreeBodyRuns, FloatAtTheirDraft) {
+  for (const SolverKind solver : {SolverKind::kHybrid, SolverKind::kCorrected}) {
+    World world(floating_box(0.5, solver), {2, nullptr, {}});
+    double mean = 0.0, time = 0.0;
+    run_until(world, 6.0, [&](const WorldStep& step) {
+      expect_sound(step);
+      if (world.time() < 3.0) return;
+      mean += step.report.dt * body_of(world).position.z();
+      time += step.report.dt;
+    });
+    // The water's level follows from its volume: what floats displaces what it weighs.
+    const double area = 3.1 * 3.1, displaced = 0.5 * 1.2 * 1.2 * 0.8;
+    const double water = static_cast<double>(world.fluid().particles.count) * 1e-3;
+    const double level = (water + displaced) / area + 0.05;
+    const double draft = level - (mean / time - 0.4);
+    EXPECT_NEAR(draft, 0.4, 0.03) << "solver " << static_cast<int>(solver);
+    EXPECT_LT((body_of(world).position - Eigen::Vector3d(1.6, 1.6, 0)).head<2>().norm(), 0.3);
+  }
+}
+
+TEST(FreeBodyRuns, OfAnyDensityStayWithTheWater) {
+  for (const SolverKind solver : kAllSolvers)
+    for (const double ratio : {0.02, 0.3, 20.0}) {
+      SCOPED_TRACE("solver " + std::to_string(static_cast<int>(solver)) + ", ratio " + std::to_string(ratio));
+      Scene scene = floating_box(ratio, solver);
+      scene.bodies[0].position.z() = 1.4;
+      World world(scene, {2, nullptr, {}});
+      run_until(world, 1.0, [&](const WorldStep& step) {
+        expect_sound(step);
+        ASSERT_LT(body_of(world).velocity.norm(), std::sqrt(2.0 * 9.81 * 2.4));
+      });
+      const Eigen::Vector3d place = body_of(world).position;
+      EXPECT_TRUE((place.array() > 0.3).all() && (place.array() < 2.9).all()) << place.transpose();
+    }
+}
+
+TEST(FreeBodyRuns, RiseFromUnderWaterWithTheirAddedMass) {
+  // Half the water's mass is added to a sphere: (1 - 0.5) g / (0.5 + 0.5) = 4.905 m/s^2 at first (Lamb 1932, art. 92).
+  // The hybrid's pressure comes and goes from step to step, so its first steps tell less.
+  for (const auto& [solver, bound] : {std::pair(SolverKind::kHybrid, 0.5), std::pair(SolverKind::kCorrected, 0.15)}) {
+    Scene scene = sunken_sphere(0.5, solver);
+    scene.bodies[0].free_from = 2.0;
+    World world(scene, {2, nullptr, {}});
+    run_until(world, 2.0, expect_sound);
+    EXPECT_EQ(body_of(world).position, scene.bodies[0].position) << "held until then";
+    run_until(world, 2.05, expect_sound);
+    EXPECT_NEAR(body_of(world).velocity.z() / (world.time() - 2.0), 4.905, bound * 4.905) << static_cast<int>(solver);
+  }
+}
+
+TEST(FreeBodyRuns, GiveTheSameBitsForAnyNumberOfThreads) {
+  for (const SolverKind solver : kAllSolvers) {
+    const Scene scene = floating_box(0.3, solver);
+    World one(scene, {1, nullptr, {}}), two(scene, {2, nullptr, {}}), five(scene, {5, nullptr, {}});
+    for (int step = 0; step < 40; ++step)
+      for (World* world : {&one, &two, &five}) world->advance();
+    EXPECT_EQ(state_hash(one.fluid().particles), state_hash(two.fluid().particles));
+    EXPECT_EQ(state_hash(one.fluid().particles), state_hash(five.fluid().particles));
+    EXPECT_EQ(body_of(one).position, body_of(five).position);
+  }
+}
+
+TEST(FreeBodyRuns, SinkToTheFloorAndStayThere) {
+  Scene scene = floating_box(8.0);
+  scene.bodies[0].position.z() = 1.4;
+  World world(scene, {2, nullptr, {}});
+  run_until(world, 3.0, [&](const WorldStep& step) {
+    expect_sound(step);
+    ASSERT_GT(body_of(world).position.z(), 0.4 - 0.02) << "through the floor at " << world.time();
+  });
+  EXPECT_LT(body_of(world).position.z(), 0.5);
+  EXPECT_LT(body_of(world).velocity.norm(), 0.05);
+}
+
+TEST(FreeBodyRuns, DoNotPassThroughEachOther) {
+  Scene scene = floating_box(8.0);
+  BodySettings second = scene.bodies[0];
+  second.id = 2;
+  second.position = {1.7, 1.6, 2.0};
+  scene.bodies[0].position.z() = 0.5;
+  scene.bodies.push_back(second);
+  World world(scene, {2, nullptr, {}});
+  double closest = 10.0;
+  run_until(world, 3.0, [&](const WorldStep& step) {
+    expect_sound(step);
+    closest = std::min(closest, (body_of(world, 1).position - body_of(world, 0).position).norm());
+  });
+  EXPECT_GT(closest, 0.78) << "boxes of 0.8 m, one falling on the other";
+  EXPECT_LT(body_of(world, 1).velocity.norm(), 0.2);
+}
+
+TEST(FreeBodyRuns, RestOnSceneryAndArePushedByDrivenHulls) {
+  Scene scene = floating_box(8.0);
+  BodySettings shelf = scene.bodies[0];
+  shelf.id = 2;
+  shelf.drive = BodyDrive::kStatic;
+  shelf.primitive = BoxShape{{1.0, 2.0, 0.4}};
+  shelf.position = {1.6, 1.6, 0.4};
+  shelf.mass = {};
+  scene.bodies.push_back(shelf);
+  scene.bodies[0].position = {1.6, 1.6, 1.05};
+  BodySettings ram = shelf;
+  ram.id = 3;
+  ram.drive = BodyDrive::kPose;
+  ram.primitive = BoxShape{{0.4, 0.6, 0.6}};
+  ram.position = {0.5, 1.6, 1.1};
+  scene.bodies.push_back(ram);
+  World world(scene, {2, nullptr, {}});
+  run_until(world, 1.0, expect_sound);
+  EXPECT_NEAR(body_of(world, 0).position.z(), 1.0, 0.02) << "on the shelf";
+  BodyPose pose;
+  pose.body = 3;
+  for (int k = 0; k < 100; ++k) {
+    pose.time = 0.02 * k;
+    pose.position = ram.position + Eigen::Vector3d(0.5 * pose.time, 0, 0);
+    pose.velocity = {0.5, 0, 0};
+    world.accept_pose(pose);
+    run_until(world, 1.0 + 0.02 * (k + 1), expect_sound);
+  }
+  const double gap = body_of(world, 0).position.x() - body_of(world, 2).position.x();
+  EXPECT_GT(gap, 0.6 - 0.03) << "the ram has gone into the box";
+  EXPECT_GT(body_of(world, 0).position.x(), 1.9) << "the ram has not pushed the box";
+}
+
+TEST(FreeBodyRuns, AreLedInTheHorizontalAndFloatByThemselves) {
+  Scene scene = floating_box(0.5);
+  scene.tank.max.x() = 6.0;
+  scene.water.blocks[0].max.x() = 6.0;
+  scene.bodies[0].drive = BodyDrive::kPoseHorizontal;
+  World world(scene, {2, nullptr, {}});
+  BodyPose pose;
+  pose.body = 1;
+  for (int k = 0; k < 100; ++k) {
+    pose.time = 0.02 * k;
+    pose.position = {1.6 + 0.6 * pose.time, 1.6, 40.0};  // its height must not count
+    pose.velocity = {0.6, 0, 0};
+    pose.orientation = Eigen::AngleAxisd(0.2 * pose.time, Eigen::Vector3d::UnitZ());
+    pose.angular_velocity = {0, 0, 0.2};
+    world.accept_pose(pose);
+    run_until(world, 0.02 * (k + 1), expect_sound);
+  }
+  const BodyState state = body_of(world);
+  EXPECT_NEAR(state.position.x(), 1.6 + 0.6 * 2.0, 0.05);
+  EXPECT_NEAR(state.position.y(), 1.6, 0.05);
+  EXPECT_NEAR(state.position.z(), 1.15, 0.12) << "afloat";
+  const Eigen::Vector3d bow = state.orientation * Eigen::Vector3d::UnitX();
+  EXPECT_NEAR(std::atan2(bow.y(), bow.x()), 0.4, 0.05);
+  EXPECT_EQ(state.health, PoseHealth::kFresh);
+}
+
+TEST(FreeBodyRuns, CarryTheirWeightAsLoad) {
+  Scene scene = floating_box(0.5);
+  World world(scene, {2, nullptr, {}});
+  Snapshot snapshot;
+  double force = 0.0, frames = 0.0;
+  while (world.time() < 5.0) {
+    WorldStep step = world.advance();
+    if (!step.frame_reached) continue;
+    world.fill_snapshot(snapshot, step.report);
+    ASSERT_EQ(snapshot.loads.size(), 1U);
+    if (world.time() < 2.0) continue;
+    const BodyLoad& load = snapshot.loads[0];
+    force += (snapshot.bodies[0].orientation * load.force).z();
+    frames += 1.0;
+    EXPECT_GE(load.peak_force, load.force.norm() * (1.0 - 1e-6));
+    EXPECT_NEAR(load.wetted_volume, 0.576, 0.06);
+  }
+  EXPECT_NEAR(force / frames, 0.576 * 1000.0 * 9.81, 0.01 * 0.576 * 1000.0 * 9.81);
+}
+
+}  // namespace
+}  // namespace pelagos
