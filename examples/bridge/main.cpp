@@ -1,24 +1,23 @@
-// Example bridge: how a ship-bridge simulator tells Pelagos where its own ship is.
+// Example bridge: how a ship-bridge simulator tells Pelagos where its own ship is, and what it gets back.
 //
-// All that it takes is DDS: write PoseV1 of idl/pelagos.idl, 30 to 60 times a second, to `own_ship_pose_v1` (own ship,
-// body 1) or `body_pose_v1` (other ships). Any vendor's DDS and any language will do; this one uses the C types that
-// Cyclone DDS's idlc makes of the IDL, and the project's thin RAII over its API.
+// All that it takes is DDS:
+//   1. write PoseV1 of idl/pelagos.idl, 30 to 60 times a second, to `own_ship_pose_v1` (own ship, body 1) or
+//      `body_pose_v1` (other ships);
+//   2. read BodyLoadV1 from `body_load_v1`: force and moment of the water on the ship, for its equations of motion;
+//   3. ask for wave probes with ProbeRequestV1 on `probe_request_v1`, and read them from `probe_v1`.
+// Any vendor's DDS and any language will do; this one uses the C types that Cyclone DDS's idlc makes of the IDL, and
+// the project's thin RAII over its API (common/dds).
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
-#include <optional>
+#include <map>
 #include <thread>
 
-#include "command_line/number_check.hpp"
+#include "options.hpp"
 #include "pelagos.h"  // generated from idl/pelagos.idl
 #include "pelagos_dds/entities.hpp"
-#include "track.hpp"
-#include "version/version.hpp"
 #include "wire/topics.hpp"
 
 namespace {
@@ -30,76 +29,9 @@ using Clock = std::chrono::steady_clock;
 constexpr int kOk = 0;
 constexpr int kFailed = 1;
 constexpr int kBadArguments = 2;
-constexpr std::uint32_t kOwnShip = 1;
 
 volatile std::sig_atomic_t stop_requested = 0;
 void request_stop(int) { stop_requested = 1; }
-
-struct Options {
-  DdsSettings dds;
-  std::uint32_t body = kOwnShip;
-  std::uint32_t sender = 1;
-  double duration = 0.0;  // s; 0: the track file's length, or 60
-  double rate = 30.0;     // Hz
-  std::string track_file;
-  OvalTrack oval;
-  double draft = 0.0;
-  std::optional<double> radius_north, heave, pitch_deg, roll_deg;
-};
-
-void describe_options(CLI::App& app, Options& o) {
-  app.set_version_flag("--version", std::string("pelagos-example-bridge ") + kVersion);
-  app.add_option("--domain", o.dds.domain, "DDS domain")->check(CLI::Range(0, 230))->capture_default_str();
-  app.add_option("--dds-config", o.dds.config_file, "Cyclone DDS configuration file (default: loopback)");
-  app.add_option("--body", o.body, "id of the body; 1 is own ship")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
-  app.add_option("--sender", o.sender, "number that tells this bridge from others")->capture_default_str();
-  app.add_option("--duration", o.duration, "s (default: length of the track file, or 60)")->check(NumberFrom(0.0, 1e7));
-  app.add_option("--rate", o.rate, "poses a second")->check(NumberFrom(0.1, 1000.0))->capture_default_str();
-  app.add_option("--track", o.track_file, "CSV: time,east,north,heading_deg[,up,pitch_deg,roll_deg], s, m, degrees");
-  const NumberFrom place(-1e5, 1e5);
-  const NumberFrom radius(0.1, 1e5);
-  app.add_option("--east", o.oval.east, "built-in oval: centre, m")->check(place)->capture_default_str();
-  app.add_option("--north", o.oval.north, "built-in oval: centre, m")->check(place)->capture_default_str();
-  app.add_option("--radius", o.oval.radius_east, "built-in oval: half its width, m")
-      ->check(radius)
-      ->capture_default_str();
-  app.add_option("--radius-north", o.radius_north, "built-in oval: half its length, m (default: a circle)")
-      ->check(radius);
-  app.add_option("--speed", o.oval.speed, "built-in oval: m/s")->check(NumberFrom(0.0, 50.0))->capture_default_str();
-  app.add_option("--water-level", o.oval.up, "built-in oval: m")->check(place)->capture_default_str();
-  app.add_option("--draft", o.draft, "built-in oval: the ship's origin is that far below the water level, m")
-      ->check(place);
-  app.add_option("--heave", o.heave, "m, amplitude (default: 0.1, with a file 0)")->check(NumberFrom(0.0, 20.0));
-  app.add_option("--pitch", o.pitch_deg, "degrees, amplitude (default: 1.5, with a file 0)")
-      ->check(NumberFrom(0.0, 45.0));
-  app.add_option("--roll", o.roll_deg, "degrees, amplitude (default: 3, with a file 0)")->check(NumberFrom(0.0, 60.0));
-}
-
-/// Empty, and a message on stderr, if the track file is no good.
-std::optional<Track> make_track(const Options& o) {
-  Track track;
-  const bool built_in = o.track_file.empty();
-  if (built_in) {
-    OvalTrack oval = o.oval;
-    oval.radius_north = o.radius_north.value_or(oval.radius_east);
-    oval.up -= o.draft;
-    track.path = oval;
-  } else {
-    std::ifstream file(o.track_file);
-    std::string error = o.track_file + ": cannot be read";
-    auto path = file ? read_track(file, o.track_file, error) : std::nullopt;
-    if (!path) {
-      std::fprintf(stderr, "pelagos-example-bridge: %s\n", error.c_str());
-      return std::nullopt;
-    }
-    track.path = std::move(*path);
-  }
-  track.sea = {o.heave.value_or(built_in ? 0.1 : 0.0), o.pitch_deg.value_or(built_in ? 1.5 : 0.0),
-               o.roll_deg.value_or(built_in ? 3.0 : 0.0)};
-  return track;
-}
 
 /// The sample as the IDL describes it, in NED as bridges have it.
 pelagos_PoseV1 make_sample(const Options& o, const NedMotion& motion, double time) {
@@ -117,30 +49,67 @@ pelagos_PoseV1 make_sample(const Options& o, const NedMotion& motion, double tim
   return sample;
 }
 
-/// What the water did to the body last, for people.
-class LoadLine {
+/// What came back last: the load on the ship and what its probes read.
+class Feedback {
  public:
-  LoadLine(const DdsParticipant& participant, std::uint32_t body)
-      : reader_(participant, topics::body_load()), body_(body) {}
+  Feedback(const DdsParticipant& participant, std::uint32_t body)
+      : loads_(participant, topics::body_load()), probes_(participant, topics::probe()), body_(body) {}
 
   void print() {
-    reader_.take_all<pelagos_BodyLoadV1>([&](const pelagos_BodyLoadV1& sample) {
-      if (sample.body == body_) last_ = sample;
+    loads_.take_all<pelagos_BodyLoadV1>([&](const pelagos_BodyLoadV1& sample) {
+      if (sample.body == body_) last_load_ = sample;
     });
-    if (!last_) return;
-    const pelagos_BodyLoadV1& l = *last_;
-    const bool ned = l.frame_of_body == pelagos_FRAME_NED;
-    std::printf(
-        "           water on hull  surge %9.1f kN  up %9.1f kN (buoyant %9.1f)  pitch %9.1f kN m  wetted %7.1f m3\n",
-        1e-3 * l.force.x, (ned ? -1e-3 : 1e-3) * l.force.z, (ned ? -1e-3 : 1e-3) * l.buoyant_force.z,
-        (ned ? 1e-3 : -1e-3) * l.moment.y, l.wetted_volume);
+    probes_.take_all<pelagos_ProbeV1>([&](const pelagos_ProbeV1& sample) {
+      readings_[sample.probe] = sample;
+      readings_[sample.probe].name = nullptr;  // lent only while it is looked at
+    });
+    if (last_load_) print_load(*last_load_);
+    for (const auto& [id, reading] : readings_) print_probe(reading);
   }
 
  private:
-  DdsReader reader_;
+  /// Up and bow up are positive here, whatever the axes of the wire.
+  static void print_load(const pelagos_BodyLoadV1& load) {
+    const double kilo_up = load.frame_of_body == pelagos_FRAME_NED ? -1e-3 : 1e-3;
+    std::printf(
+        "           water on hull  surge %9.1f kN  up %9.1f kN (buoyant %9.1f)  pitch %9.1f kN m  wetted %7.1f m3\n",
+        1e-3 * load.force.x, kilo_up * load.force.z, kilo_up * load.buoyant_force.z, -kilo_up * load.moment.y,
+        load.wetted_volume);
+  }
+
+  static void print_probe(const pelagos_ProbeV1& reading) {
+    const bool ned = reading.world_frame == pelagos_FRAME_NED;
+    const double up = ned ? -1.0 : 1.0;
+    const double east = ned ? reading.velocity.y : reading.velocity.x;
+    const double north = ned ? reading.velocity.x : reading.velocity.y;
+    if (!reading.wet) {
+      std::printf("           probe %-4u no water\n", reading.probe);
+      return;
+    }
+    std::printf(
+        "           probe %-4u surface at %7.2f m  water to the east %6.2f m/s, north %6.2f m/s, up %6.2f m/s\n",
+        reading.probe, up * reading.surface.z, east, north, up * reading.velocity.z);
+  }
+
+  DdsReader loads_, probes_;
   std::uint32_t body_;
-  std::optional<pelagos_BodyLoadV1> last_;
+  std::optional<pelagos_BodyLoadV1> last_load_;
+  std::map<std::uint32_t, pelagos_ProbeV1> readings_;
 };
+
+/// One request a probe, once: the topic keeps it for a server that starts later.
+void ask_for_probes(const DdsWriter& writer, const Options& o) {
+  for (std::size_t k = 0; k < o.probe_forward.size(); ++k) {
+    pelagos_ProbeRequestV1 request{};
+    request.sender = o.sender;
+    request.probe = 100 * o.body + static_cast<std::uint32_t>(k) + 1;
+    request.body = o.body;  // it goes with the ship
+    request.frame = pelagos_FRAME_NED;
+    request.position = {o.probe_forward[k], 0.0, 0.0};
+    request.at_surface = true;
+    if (!writer.write(&request)) std::fprintf(stderr, "pelagos-example-bridge: a probe could not be asked for\n");
+  }
+}
 
 void report(const Track& track, double time, std::uint64_t sent, std::uint32_t servers) {
   const ShipState s = state_at(track, time);
@@ -154,8 +123,9 @@ void report(const Track& track, double time, std::uint64_t sent, std::uint32_t s
 int send_track(const Options& o, const Track& track) {
   const DdsParticipant participant(o.dds);
   const DdsWriter writer(participant, o.body == kOwnShip ? topics::own_ship_pose() : topics::body_pose());
-
-  LoadLine load(participant, o.body);
+  const DdsWriter requests(participant, topics::probe_request());
+  Feedback feedback(participant, o.body);
+  ask_for_probes(requests, o);
   const double length = std::isfinite(end_of(track)) ? end_of(track) : 60.0;
   const double duration = o.duration > 0.0 ? o.duration : length;
   // Times must increase, also for a bridge that is started again: seconds since 1970, then by a clock nobody sets.
@@ -172,7 +142,7 @@ int send_track(const Options& o, const Track& track) {
     ++(writer.write(&sample) ? sent : failed);
     if (due.count() >= next_report) {
       report(track, due.count(), sent, writer.matched_readers());
-      load.print();
+      feedback.print();
       std::fflush(stdout);
       next_report += 1.0;
     }

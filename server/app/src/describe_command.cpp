@@ -33,7 +33,7 @@ struct OilDescriber {
   std::string operator()(const RemoveSkimmer& c) const { return "skimmer \"" + c.name + "\" removed"; }
 
   static std::string place(const Eigen::Vector3d& p) {
-    return fmt::format("({:g}, {:g}, {:g}) m", p.x(), p.y(), p.z());
+    return fmt::format("({:g}, {:g}, {:g}) m", p.x() + 0.0, p.y() + 0.0, p.z() + 0.0);  // no -0
   }
 };
 
@@ -60,6 +60,14 @@ struct Describer {
                                     c.reason, e.max_step * 1e3, e.density_tolerance, e.divergence_tolerance, e.max_step,
                                     e.density_tolerance, e.divergence_tolerance)};
   }
+
+  CommandNews operator()(const SetProbe& c) const {
+    const ProbeSettings& p = c.probe;
+    return {"probe", fmt::format("probe {} \"{}\" at {}{}{}", p.id, p.name, OilDescriber::place(p.position),
+                                 p.body == 0 ? "" : fmt::format(" of body {}", p.body),
+                                 p.at_surface ? ", velocity at the surface" : "")};
+  }
+  CommandNews operator()(const RemoveProbe& c) const { return {"probe", fmt::format("probe {} removed", c.id)}; }
 
   CommandNews operator()(const OilCommand& c) const { return {"oil", std::visit(OilDescriber{}, c)}; }
 

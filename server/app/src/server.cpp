@@ -62,6 +62,7 @@ Server::Server(const ServerOptions& options, const std::atomic<bool>& stop)
 Server::~Server() {
   control_.reset();  // first: its hooks use everything else
   poses_.reset();
+  probe_requests_.reset();
   publisher_.reset();
   install_dds_log({});
 }
@@ -99,6 +100,7 @@ void Server::open_links() {
   settings.bodies_in_ned = options_.bodies_in_ned;
   publisher_ = std::make_unique<FramePublisher>(participant, world_->describe(), settings, dds.log);
   poses_ = std::make_unique<PoseReceiver>(participant, driven_bodies(options_.scene), dds.log);
+  probe_requests_ = std::make_unique<ProbeReceiver>(participant);
 }
 
 void Server::open_world() {
@@ -128,6 +130,7 @@ ServerSummary Server::run() {
   Pacer pacer(world_->time());
   if (world_->current()) notice_closed_axes();
   while (!stop_.load() && !out_of_time() && !replay_ended() && !broken_) {
+    take_probe_requests();
     apply_commands();
     take_poses();
     if (paused_ && steps_to_make_ == 0) {
@@ -200,7 +203,9 @@ void Server::advance() {
 
 void Server::report_fault(const WorldStep& step) {
   const bool fatal = step.fault == StepFault::kFatal;
-  const std::string what = fmt::format("{} particles have values that are not finite", step.report.not_finite);
+  const std::string what = step.report.not_finite > 0
+                               ? fmt::format("{} particles have values that are not finite", step.report.not_finite)
+                               : "a free body has values that are not finite";
   if (fatal) {
     broken_ = true;
     log_error(fmt::format("step {}: {}; stopping. Lower time_step.max_step or time_step.cfl in the scene",

@@ -18,6 +18,7 @@
 #include "status_window.hpp"
 #include "transport/frame_publisher.hpp"
 #include "transport/pose_receiver.hpp"
+#include "transport/probe_receiver.hpp"
 #include "values/scene.hpp"
 
 namespace pelagos {
@@ -83,6 +84,7 @@ class Server {
   std::optional<std::string> refuse_in_replay(const Command& command) const;
   ScheduleAnswer schedule(const Command& command, double at, const std::string& source);
   void announce_schedule();
+  void take_probe_requests();
   void apply_commands();
   void apply(const QueuedCommand& queued);
   bool apply_to_clock(const Command& command);
@@ -113,6 +115,7 @@ class Server {
   std::unique_ptr<World> world_;
   std::unique_ptr<FramePublisher> publisher_;
   std::unique_ptr<PoseReceiver> poses_;
+  std::unique_ptr<ProbeReceiver> probe_requests_;
   StatusWindow window_;
   ConvergenceWatch convergence_;
   std::optional<Governor> governor_;
@@ -124,6 +127,7 @@ class Server {
   std::vector<QueuedCommand> taken_commands_;
   std::vector<ScheduleChange> schedule_changes_;
   std::vector<ReceivedPose> taken_poses_;
+  std::vector<ProbeRequest> taken_requests_;
   std::vector<PoseHealth> pose_health_;
   std::vector<bool> outside_;  ///< by body: last seen outside the tank
   StepReport last_report_;

@@ -72,6 +72,18 @@ void Server::announce_schedule() {
   }
 }
 
+/// Bridges ask for probes over DDS; from here on it is a command like any other.
+void Server::take_probe_requests() {
+  probe_requests_->take(taken_requests_);
+  for (const ProbeRequest& request : taken_requests_) {
+    const std::string source = "bridge " + std::to_string(request.sender);
+    std::optional<std::string> refusal = refuse_in_replay(request.command);
+    if (!refusal && !request.fault.empty()) refusal = request.fault;
+    if (!refusal) refusal = commands_.submit(request.command, source);
+    if (refusal) announce("refused", source, describe_command(request.command).text + ": " + *refusal);
+  }
+}
+
 void Server::apply_commands() {
   announce_schedule();
   commands_.take(world_->time(), taken_commands_);

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "messages/read_current.hpp"
+#include "messages/read_probe.hpp"
 #include "messages/read_wind.hpp"
 #include "scene.pb.h"
 
@@ -140,6 +141,38 @@ void read_wind_of_scene(const FieldReader& reader, const Basis& basis, Scene& sc
   }
 }
 
+/// What the world would refuse.
+void check_probe(const FieldReader& entry, const ProbeSettings& probe, const Scene& scene) {
+  const Eigen::Vector3d& x = probe.position;
+  const auto carries = [&](const BodySettings& body) { return body.id == probe.body; };
+  if (probe.body != 0) {
+    if (std::none_of(scene.bodies.begin(), scene.bodies.end(), carries))
+      entry.fault("body", "the scene has no body " + std::to_string(probe.body));
+  } else if ((x.array() < scene.tank.min.array()).head<2>().any() ||
+             (x.array() > scene.tank.max.array()).head<2>().any()) {
+    entry.fault("position", "(" + format_number(x.x()) + ", " + format_number(x.y()) + ") m is outside the tank");
+  }
+}
+
+std::vector<ProbeSettings> read_probes(const FieldReader& reader, const Scene& scene) {
+  std::vector<ProbeSettings> probes;
+  const std::vector<FieldReader> entries = reader.children("probe");
+  if (entries.size() > kMostProbes) {
+    reader.fault("probe",
+                 "has " + std::to_string(entries.size()) + " entries; allowed: at most " + std::to_string(kMostProbes));
+    return probes;
+  }
+  for (const FieldReader& entry : entries) {
+    const ProbeSettings probe = read_set_probe(entry).probe;
+    const bool taken =
+        std::any_of(probes.begin(), probes.end(), [&](const ProbeSettings& other) { return other.id == probe.id; });
+    if (taken && probe.id != 0) entry.fault("id", std::to_string(probe.id) + " is taken by another probe");
+    check_probe(entry, probe, scene);
+    probes.push_back(probe);
+  }
+  return probes;
+}
+
 /// The literal iteration of PBF moves particles one constraint at a time: a body would not be part of it.
 void check_bodies_against_solver(const FieldReader& reader, const Scene& scene) {
   const bool literal = scene.solver.kind == SolverKind::kPbf && scene.solver.method == PressureMethod::kPaper;
@@ -201,6 +234,7 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
   scene.events = validate_events(reader, basis, scene.wind);
   scene.bodies = validate_bodies(reader, tank, source);
   check_bodies_against_solver(reader, scene);
+  scene.probes = read_probes(reader, scene);
   read_far_sea(reader, scene.far_sea);
   read_origin(reader, scene.origin);
   read_surface(reader, basis, scene.surface);

@@ -163,10 +163,10 @@ void Bodies::touch(double dt) {
 std::vector<BodyLoad> Bodies::take_loads(const Eigen::Vector3d& origin, const FluidState& fluid, double still_level) {
   std::vector<BodyLoad> loads;
   if (volumes_.empty()) return loads;
-  std::vector<Eigen::Vector2d> places;
+  std::vector<SurfacePlace> places;
   for (const Body& body : bodies_)
     if (body.moves())
-      for (const Eigen::Vector2d& place : ring_around(body.shape, body.state, origin)) places.push_back(place);
+      for (const SurfacePlace& place : ring_around(body.shape, body.state, origin)) places.push_back(place);
   const std::vector<SurfaceReading> readings = read_surface(fluid, places);
   const std::size_t ring = places.size() / fluid.coupling.bodies.size();
   std::size_t first = 0;
@@ -225,6 +225,18 @@ double Bodies::largest_speed() const {
     if (body.moves())
       largest = std::max(largest, body.state.velocity.norm() + body.state.angular_velocity.norm() * body.shape.reach);
   return largest;
+}
+
+std::optional<BodyState> Bodies::state_of(std::uint32_t id) const {
+  for (const Body& body : bodies_)
+    if (body.settings.id == id) return body.state;
+  return std::nullopt;
+}
+
+std::string Bodies::list_of_ids() const {
+  std::string list;
+  for (const Body& body : bodies_) list += (list.empty() ? "" : ", ") + std::to_string(body.settings.id);
+  return list.empty() ? "none, it has no bodies" : list;
 }
 
 std::vector<BodyState> Bodies::states() const {

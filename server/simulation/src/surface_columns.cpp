@@ -1,10 +1,10 @@
 #include "simulation/surface_columns.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <unordered_map>
 
 namespace pelagos {
 
@@ -25,29 +25,49 @@ struct Member {
 };
 using Column = std::vector<Member>;
 
-/// Finds the columns that a point may be part of: places in cells as wide as a column.
+/// Finds the columns that a point may be part of: cells as wide as a column over the box around all places.
 class PlaceGrid {
  public:
-  PlaceGrid(std::span<const Eigen::Vector2d> places, double radius) : radius_(radius) {
+  PlaceGrid(std::span<const SurfacePlace> places, double radius) : inverse_(1.0 / radius) {
+    Eigen::AlignedBox2d box;
+    for (const SurfacePlace& place : places) box.extend(place.local);
+    corner_ = box.min() - Eigen::Vector2d::Constant(1.5 * radius);
+    columns_ = static_cast<int>(box.sizes().x() * inverse_) + 4;
+    rows_ = static_cast<int>(box.sizes().y() * inverse_) + 4;
+    list_of_cell_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1);
     for (std::uint32_t k = 0; k < places.size(); ++k)
       for (int i = -1; i <= 1; ++i)
-        for (int j = -1; j <= 1; ++j) cells_[key(cell(places[k].x()) + i, cell(places[k].y()) + j)].push_back(k);
+        for (int j = -1; j <= 1; ++j) add(k, cell(places[k].local, i, j));
   }
-  /// Those whose cell or a neighbour of it holds (x, y); null if none.
-  [[nodiscard]] const std::vector<std::uint32_t>* near(double x, double y) const {
-    const auto found = cells_.find(key(cell(x), cell(y)));
-    return found == cells_.end() ? nullptr : &found->second;
+  /// Those whose cell or a neighbour of it holds the point; null if none.
+  [[nodiscard]] const std::vector<std::uint32_t>* near(const Eigen::Vector2d& at) const {
+    const std::size_t k = cell(at, 0, 0);
+    return k >= list_of_cell_.size() || list_of_cell_[k] < 0 ? nullptr
+                                                             : &lists_[static_cast<std::size_t>(list_of_cell_[k])];
   }
 
  private:
-  [[nodiscard]] std::int64_t cell(double x) const { return static_cast<std::int64_t>(std::floor(x / radius_)); }
-  static std::int64_t key(std::int64_t i, std::int64_t j) { return i * 0x100000000LL + j; }
+  [[nodiscard]] std::size_t cell(const Eigen::Vector2d& at, int i, int j) const {
+    const Eigen::Vector2d g = (at - corner_) * inverse_;
+    if (!(g.x() >= 0.0 && g.y() >= 0.0 && g.x() < columns_ && g.y() < rows_)) return list_of_cell_.size();
+    return static_cast<std::size_t>((static_cast<int>(g.y()) + j) * columns_ + static_cast<int>(g.x()) + i);
+  }
+  void add(std::uint32_t place, std::size_t cell) {
+    if (list_of_cell_[cell] < 0) {
+      list_of_cell_[cell] = static_cast<std::int32_t>(lists_.size());
+      lists_.emplace_back();
+    }
+    lists_[static_cast<std::size_t>(list_of_cell_[cell])].push_back(place);
+  }
 
-  double radius_;
-  std::unordered_map<std::int64_t, std::vector<std::uint32_t>> cells_;
+  double inverse_;
+  Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();
+  int columns_ = 0, rows_ = 0;
+  std::vector<std::int32_t> list_of_cell_;
+  std::vector<std::vector<std::uint32_t>> lists_;
 };
 
-void collect(const FluidState& fluid, std::size_t begin, std::size_t end, std::span<const Eigen::Vector2d> places,
+void collect(const FluidState& fluid, std::size_t begin, std::size_t end, std::span<const SurfacePlace> places,
              const PlaceGrid& grid, std::vector<Column>& columns) {
   const double radius = kRadius * fluid.parameters.spacing;
   const double scale = 3.0 / (std::numbers::pi * radius * radius) * fluid.parameters.volume();
@@ -55,10 +75,10 @@ void collect(const FluidState& fluid, std::size_t begin, std::size_t end, std::s
     const Float4& p = fluid.particles.position[i];
     if (!std::isfinite(p.x + p.y + p.z)) continue;
     const Eigen::Vector2d at(p.x, p.y);
-    const std::vector<std::uint32_t>* near = grid.near(at.x(), at.y());
+    const std::vector<std::uint32_t>* near = grid.near(at);
     if (!near) continue;
     for (const std::uint32_t k : *near) {
-      const Eigen::Vector2d way = at - places[k];
+      const Eigen::Vector2d way = at - places[k].local;
       const double rest = 1.0 - way.squaredNorm() / (radius * radius);
       if (rest > 0.0)
         columns[k].push_back({way, static_cast<double>(p.z), scale * rest * rest, static_cast<std::uint32_t>(i)});
@@ -107,7 +127,23 @@ Eigen::Vector3d mean_velocity(const FluidState& fluid, const Column& column, dou
   return weight > 0.0 ? Eigen::Vector3d(sum / weight) : sum;
 }
 
-SurfaceReading read_column(const FluidState& fluid, Column& column) {
+/// Weighed by how near the particles are to the column's axis and to the height.
+Eigen::Vector3d velocity_near(const FluidState& fluid, const Column& column, double height) {
+  const double radius = kRadius * fluid.parameters.spacing;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double weight = 0.0;
+  for (const Member& member : column) {
+    const double rest =
+        1.0 - (member.way.squaredNorm() + (member.z - height) * (member.z - height)) / (radius * radius);
+    if (!(rest > 0.0)) continue;
+    const Float4& v = fluid.particles.velocity[member.particle];
+    sum += rest * rest * Eigen::Vector3d(v.x, v.y, v.z);
+    weight += rest * rest;
+  }
+  return weight > 0.0 ? Eigen::Vector3d(sum / weight) : sum;
+}
+
+SurfaceReading read_column(const FluidState& fluid, const SurfacePlace& place, Column& column) {
   SurfaceReading reading;
   const double d = fluid.parameters.spacing, radius = kRadius * d;
   std::sort(column.begin(), column.end(),
@@ -128,13 +164,15 @@ SurfaceReading read_column(const FluidState& fluid, Column& column) {
   // Second moment of the column's weight along an axis: R^2 / 8.
   const Eigen::Vector2d slope = (counted.moment - water * drift) / (filling * radius * radius / 8.0);
   reading.normal = Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
-  reading.velocity = mean_velocity(fluid, column, reading.height - kVelocityDepth * d, above);
+  reading.velocity = place.height && *place.height < reading.height
+                         ? velocity_near(fluid, column, *place.height)
+                         : mean_velocity(fluid, column, reading.height - kVelocityDepth * d, above);
   return reading;
 }
 
 }  // namespace
 
-std::vector<SurfaceReading> read_surface(const FluidState& fluid, std::span<const Eigen::Vector2d> places) {
+std::vector<SurfaceReading> read_surface(const FluidState& fluid, std::span<const SurfacePlace> places) {
   std::vector<SurfaceReading> readings(places.size());
   if (places.empty()) return readings;
   const PlaceGrid grid(places, kRadius * fluid.parameters.spacing);
@@ -142,7 +180,7 @@ std::vector<SurfaceReading> read_surface(const FluidState& fluid, std::span<cons
   collect(fluid, 0, fluid.particles.count, places, grid, columns);
   if (!fluid.ghosts.empty())
     collect(fluid, fluid.ghosts.begin, fluid.ghosts.begin + fluid.ghosts.count, places, grid, columns);
-  for (std::size_t k = 0; k < places.size(); ++k) readings[k] = read_column(fluid, columns[k]);
+  for (std::size_t k = 0; k < places.size(); ++k) readings[k] = read_column(fluid, places[k], columns[k]);
   return readings;
 }
 

@@ -41,24 +41,23 @@ FittedPlane fit_plane(const std::vector<Eigen::Vector3d>& points) {
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> ring_around(const BodyShape& shape, const BodyState& state,
-                                         const Eigen::Vector3d& origin) {
+std::vector<SurfacePlace> ring_around(const BodyShape& shape, const BodyState& state, const Eigen::Vector3d& origin) {
   const Eigen::AlignedBox3d box = box_of(shape, state, origin);
   const Eigen::Vector2d middle = box.center().head<2>();
   const Eigen::Vector2d half = kRingWidth * std::numbers::sqrt2 * 0.5 * box.sizes().head<2>();
-  std::vector<Eigen::Vector2d> places;
+  std::vector<SurfacePlace> places;
   for (int k = 0; k < kRingPlaces; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / kRingPlaces;
-    places.emplace_back(middle + half.cwiseProduct(Eigen::Vector2d(std::cos(angle), std::sin(angle))));
+    places.push_back({middle + half.cwiseProduct(Eigen::Vector2d(std::cos(angle), std::sin(angle))), {}});
   }
   return places;
 }
 
-WaterPlane water_around(std::span<const Eigen::Vector2d> ring, std::span<const SurfaceReading> readings,
+WaterPlane water_around(std::span<const SurfacePlace> ring, std::span<const SurfaceReading> readings,
                         const BodyState& state, const Eigen::Vector3d& origin, double still_level) {
   std::vector<Eigen::Vector3d> points;
   for (std::size_t k = 0; k < ring.size(); ++k)
-    if (readings[k].wet) points.emplace_back(ring[k].x(), ring[k].y(), readings[k].height);
+    if (readings[k].wet) points.emplace_back(ring[k].local.x(), ring[k].local.y(), readings[k].height);
   FittedPlane plane;
   if (points.empty())
     plane.middle.z() = still_level;

@@ -60,6 +60,7 @@ World::World(const Scene& scene, const WorldOptions& options)
       water_level_(rest_level(scene)),
       clock_(scene.frame_interval),
       bodies_(make_bodies(*pool_, scene)),
+      probes_(scene.tank),
       fluid_(make_start(*pool_, scene, bodies_, origin_)),
       drive_(scene, origin_, water_level_),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
@@ -68,6 +69,9 @@ World::World(const Scene& scene, const WorldOptions& options)
     add_static_walls(*pool_, fluid_, bodies_.static_samples(origin_));
     bodies_.place(origin_, fluid_);
   }
+  for (const ProbeSettings& probe : scene_.probes)
+    if (const auto refusal = probes_.set(probe, bodies_))
+      throw std::invalid_argument("probe " + std::to_string(probe.id) + ": " + *refusal);
   if (scene_.wind) wind_.emplace(wind_site(scene_, origin_, water_level_), *scene_.wind);
   settle();
   for (std::size_t i = 0; i < fluid_.particles.count; ++i)
@@ -160,6 +164,7 @@ void World::fill_snapshot(Snapshot& snapshot, StepReport& report) {
   snapshot.total_particles = static_cast<std::uint32_t>(fluid_.particles.count);
   snapshot.bodies = bodies_.states();
   snapshot.loads = bodies_.take_loads(origin_, fluid_, water_level_ - origin_.z());
+  snapshot.probes = read_probes();
   snapshot.oil.reset();
   if (spill_) snapshot.oil.emplace(OilSnapshot{spill_->budget(), spill_->discs()});
   const SurfaceInput input{fluid_.particles,        fluid_.walls, fluid_.fluid_list, fluid_.wall_list,

@@ -43,6 +43,8 @@ std::optional<std::string> World::apply(const Command& command) {
     Refusal operator()(const PauseSimulation&) const { return std::nullopt; }
     Refusal operator()(const ResumeSimulation&) const { return std::nullopt; }
     Refusal operator()(const StepSimulation&) const { return std::nullopt; }
+    Refusal operator()(const SetProbe& c) const { return world.probes_.set(c.probe, world.bodies_); }
+    Refusal operator()(const RemoveProbe& c) const { return world.probes_.remove(c.id); }
     Refusal operator()(const OilCommand& c) const { return world.apply_to_oil(c); }
   };
   return std::visit(Visitor{*this}, command);

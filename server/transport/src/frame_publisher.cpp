@@ -195,6 +195,7 @@ class FramePublisher::Implementation {
     }
     if (work.snapshot) publish_frame(*work.snapshot, work.particle_spacing);
     if (work.snapshot) publish_loads(*work.snapshot);
+    if (work.snapshot) publish_probes(*work.snapshot);
     if (work.snapshot && work.snapshot->oil) publish_oil(*work.snapshot, *work.snapshot->oil);
     if (work.status) {
       publish_status(*work.status);
@@ -248,6 +249,15 @@ class FramePublisher::Implementation {
     }
   }
 
+  void publish_probes(const Snapshot& snapshot) {
+    if (snapshot.probes.empty()) return;
+    if (!probe_writer_) probe_writer_.emplace(*participant_, topics::probe());
+    for (const ProbeReading& reading : snapshot.probes) {
+      const pelagos_ProbeV1 sample = wire::to_wire(reading, snapshot, source_, frame_);
+      count_write(probe_writer_->write(&sample), "probe");
+    }
+  }
+
   /// Status, and the wind with it.
   void publish_status(ServerStatus status) {
     last_status_ = Clock::now();
@@ -295,7 +305,7 @@ class FramePublisher::Implementation {
   DdsWriter status_writer_, status_v1_writer_;
   DdsWriter wind_writer_;
   DdsWriter event_writer_;
-  std::optional<DdsWriter> load_writer_;                       ///< of the publisher thread
+  std::optional<DdsWriter> load_writer_, probe_writer_;        ///< of the publisher thread
   std::optional<DdsWriter> slick_writer_, oil_budget_writer_;  ///< of the publisher thread
 
   // Of the publisher thread alone.

@@ -9,7 +9,7 @@ using std::chrono::milliseconds;
 
 // Readers hold a few servers at most: a hostile peer that makes up sources must not fill the memory.
 constexpr int kMostSources = 64;
-constexpr int kMostBodies = 64;  // of a scene
+constexpr int kMostBodies = 64, kMostProbes = 256;  // of a scene
 
 TopicQos reader_qos() {
   TopicQos qos;
@@ -56,6 +56,21 @@ TopicSpec body_load() {
   writer.depth = 2;
   reader.most_instances = kMostSources * kMostBodies;
   return {"body_load_v1", &pelagos_BodyLoadV1_desc, writer, reader};
+}
+
+TopicSpec probe() {
+  TopicQos writer, reader = reader_qos();
+  writer.depth = 2;
+  reader.most_instances = kMostSources * kMostProbes;
+  return {"probe_v1", &pelagos_ProbeV1_desc, writer, reader};
+}
+
+// Transient local, so that a server that starts after a bridge gets what it asked for.
+TopicSpec probe_request() {
+  TopicQos reader = for_late({});
+  reader.reliable = true;
+  reader.most_instances = 1024;
+  return {"probe_request_v1", &pelagos_ProbeRequestV1_desc, for_late({}), reader};
 }
 
 // Events come in bursts and each one counts.

@@ -8,6 +8,7 @@
 #include "messages/read_current.hpp"
 #include "messages/read_wind.hpp"
 #include "oil_commands.hpp"
+#include "probe_commands.hpp"
 
 namespace pelagos {
 namespace {
@@ -111,6 +112,11 @@ void write(const SetEffort& command, proto::v1::TimedCommand& message) {
   if (!command.reason.empty()) out.set_reason(command.reason);
 }
 
+Command read_probe(const FieldReader& reader, const CommandBasis&) { return read_set_probe(reader); }
+Command read_no_probe(const FieldReader& reader, const CommandBasis&) { return read_remove_probe(reader); }
+void write(const SetProbe& command, proto::v1::TimedCommand& message) { write_probe(command, message); }
+void write(const RemoveProbe& command, proto::v1::TimedCommand& message) { write_probe(command, message); }
+
 /// The commands that concern oil build on nothing.
 template <OilCommand (*read)(const FieldReader&)>
 Command read_oil(const FieldReader& reader, const CommandBasis&) {
@@ -142,6 +148,8 @@ constexpr std::array kCommandFields{
     CommandField{"remove_boom", read_oil<read_remove_boom>},
     CommandField{"set_skimmer", read_oil<read_set_skimmer>},
     CommandField{"remove_skimmer", read_oil<read_remove_skimmer>},
+    CommandField{"set_probe", read_probe},
+    CommandField{"remove_probe", read_no_probe},
     CommandField{"resume", read_resume, Allowed::kNotTimed},
     CommandField{"step", read_step, Allowed::kNotTimed},
     CommandField{"set_effort", read_set_effort, Allowed::kLogOnly},

@@ -13,12 +13,12 @@ namespace pelagos {
 
 /// Places in a ring just outside a body, where the surface tells how the water stands around it; m, local.
 /// @param origin  m, world, of local coordinates
-[[nodiscard]] std::vector<Eigen::Vector2d> ring_around(const BodyShape& shape, const BodyState& state,
-                                                       const Eigen::Vector3d& origin);
+[[nodiscard]] std::vector<SurfacePlace> ring_around(const BodyShape& shape, const BodyState& state,
+                                                    const Eigen::Vector3d& origin);
 
 /// The plane nearest to what was read there (dry places left out), body axes. Level at `still_level` (m, local) where
 /// there is no water around the body.
-[[nodiscard]] WaterPlane water_around(std::span<const Eigen::Vector2d> ring, std::span<const SurfaceReading> readings,
+[[nodiscard]] WaterPlane water_around(std::span<const SurfacePlace> ring, std::span<const SurfaceReading> readings,
                                       const BodyState& state, const Eigen::Vector3d& origin, double still_level);
 
 /// Wetted volume and area, and what still water up to that plane would do to the body, into `load`; moments about

@@ -12,6 +12,7 @@
 #include "simulation/current_drive.hpp"
 #include "simulation/frame_clock.hpp"
 #include "simulation/oil_spill.hpp"
+#include "simulation/probes.hpp"
 #include "simulation/recovery_point.hpp"
 #include "surface/surface_extractor.hpp"
 #include "values/command.hpp"
@@ -104,6 +105,10 @@ class World {
   [[nodiscard]] const FluidState& fluid() const { return fluid_; }
   [[nodiscard]] const Eigen::Vector3d& origin() const { return origin_; }  ///< m, world
   [[nodiscard]] const Bodies& bodies() const { return bodies_; }
+  /// What the probes read now, by id.
+  [[nodiscard]] std::vector<ProbeReading> read_probes() const {
+    return probes_.read(fluid_, bodies_, origin_, current_, clock_.time());
+  }
   /// The oil; nothing in a scene without.
   [[nodiscard]] const std::optional<OilSpill>& spill() const { return spill_; }
   [[nodiscard]] double water_level() const { return water_level_; }  ///< m, world, at rest
@@ -129,6 +134,7 @@ class World {
   double water_level_ = 0.0;
   FrameClock clock_;
   Bodies bodies_;
+  Probes probes_;
   FluidState fluid_;
   std::optional<Wind> wind_;
   CurrentDrive drive_;

@@ -7,6 +7,7 @@
 
 #include "values/current.hpp"
 #include "values/effort.hpp"
+#include "values/probe.hpp"
 #include "values/spill.hpp"
 #include "values/wind.hpp"
 
@@ -47,7 +48,7 @@ struct SetEffort {
 using OilCommand = std::variant<ReleaseOil, StopRelease, SpillOil, SetBoom, RemoveBoom, SetSkimmer, RemoveSkimmer>;
 
 using Command = std::variant<SetWind, ClearWind, SetCurrent, ClearCurrent, PauseSimulation, ResumeSimulation,
-                             StepSimulation, SetEffort, OilCommand>;
+                             StepSimulation, SetEffort, SetProbe, RemoveProbe, OilCommand>;
 
 /// A command that a scene gives at a time.
 struct SceneEvent {

@@ -13,6 +13,7 @@
 #include "values/command.hpp"
 #include "values/current.hpp"
 #include "values/oil.hpp"
+#include "values/probe.hpp"
 #include "values/wind.hpp"
 
 namespace pelagos {
@@ -215,6 +216,7 @@ struct Scene {
   std::optional<CurrentSettings> current;  ///< that the water starts with, along periodic axes
   std::vector<SceneEvent> events;          ///< in the order of the file
   std::vector<BodySettings> bodies;
+  std::vector<ProbeSettings> probes;
   FarSeaSettings far_sea;
   GeodeticOrigin origin;
   SurfaceSettings surface;

@@ -9,6 +9,7 @@
 #include "values/body.hpp"
 #include "values/body_load.hpp"
 #include "values/oil_budget.hpp"
+#include "values/probe.hpp"
 #include "values/slick.hpp"
 #include "values/status.hpp"
 
@@ -29,8 +30,9 @@ struct Snapshot {
   std::uint32_t total_particles = 0;  ///< in the simulation; the difference to particles.size() was left out
   std::vector<SurfaceParticle> particles;
   std::vector<BodyState> bodies;
-  std::vector<BodyLoad> loads;     ///< of the bodies that the water pushes, by body id
-  std::optional<OilSnapshot> oil;  ///< nothing in a scene without
+  std::vector<BodyLoad> loads;       ///< of the bodies that the water pushes, by body id
+  std::vector<ProbeReading> probes;  ///< by id
+  std::optional<OilSnapshot> oil;    ///< nothing in a scene without
   ServerStatus status;
 };
 

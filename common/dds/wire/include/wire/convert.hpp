@@ -26,6 +26,16 @@ namespace pelagos::wire {
 [[nodiscard]] pelagos_BodyStateV1 to_wire(const BodyState& state, pelagos_WorldFrame frame);
 [[nodiscard]] BodyState from_wire(const pelagos_BodyStateV1& state);
 
+/// It lends the reading's name, which must outlive it.
+[[nodiscard]] pelagos_ProbeV1 to_wire(const ProbeReading& reading, const Snapshot& snapshot, std::uint64_t source,
+                                      pelagos_WorldFrame frame);
+[[nodiscard]] ProbeReading from_wire(const pelagos_ProbeV1& reading);
+
+/// Of a request that is not one to remove. World or body axes, as pelagos_ProbeRequestV1 says.
+[[nodiscard]] ProbeSettings from_wire(const pelagos_ProbeRequestV1& request);
+[[nodiscard]] pelagos_ProbeRequestV1 to_wire(const ProbeSettings& probe, std::uint32_t sender,
+                                             pelagos_WorldFrame frame);
+
 /// The load of a frame; `frame` says which body axes it is written in.
 [[nodiscard]] pelagos_BodyLoadV1 to_wire(const BodyLoad& load, const Snapshot& snapshot, std::uint64_t source,
                                          pelagos_WorldFrame frame);

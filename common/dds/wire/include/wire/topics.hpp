@@ -14,6 +14,8 @@ namespace pelagos::topics {
 [[nodiscard]] TopicSpec slick();
 [[nodiscard]] TopicSpec oil_budget();
 [[nodiscard]] TopicSpec body_load();
+[[nodiscard]] TopicSpec probe();
+[[nodiscard]] TopicSpec probe_request();
 [[nodiscard]] TopicSpec event();
 [[nodiscard]] TopicSpec own_ship_pose();
 [[nodiscard]] TopicSpec body_pose();

@@ -1,0 +1,134 @@
+#include "simulation/probes.hpp"
+
+#include <gmock/gmock.h>
+
+#include "basin.hpp"
+#include "simulation/surface_columns.hpp"
+#include "simulation/world.hpp"
+#include "world_access.hpp"
+
+namespace pelagos {
+namespace {
+
+using testing::HasSubstr;
+using testing::Optional;
+
+/// Water 2 m deep, d = 0.25 m.
+Scene deep_basin() {
+  Scene scene = test::basin();
+  scene.water.blocks[0].max.z() = 2.0;
+  return scene;
+}
+
+ProbeSettings probe_at(double x, double y, std::uint32_t id = 1) {
+  ProbeSettings probe;
+  probe.id = id;
+  probe.name = "p";
+  probe.position = {x, y, 0.0};
+  return probe;
+}
+
+ProbeReading read_one(const World& world) {
+  const std::vector<ProbeReading> readings = world.read_probes();
+  EXPECT_EQ(readings.size(), 1U);
+  return readings.empty() ? ProbeReading{} : readings[0];
+}
+
+TEST(Probes, StillWaterReadsItsVolumeOverItsArea) {
+  Scene scene = deep_basin();
+  scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kPeriodic, TankEdge::kMirror};  // no walls that take room
+  scene.probes = {probe_at(2.5, 2.0)};
+  const World world(scene, {1, nullptr, {}});
+  const double d = scene.particle_spacing;
+  const double level = static_cast<double>(world.fluid().particles.count) * d * d * d / (5.0 * 4.0);
+  const ProbeReading reading = read_one(world);
+  EXPECT_TRUE(reading.wet);
+  EXPECT_NEAR(reading.height, level, 0.02 * d);
+  EXPECT_GT(reading.normal.z(), 0.99);
+}
+
+TEST(Probes, FollowASlopeAndItsNormal) {
+  Scene scene = deep_basin();
+  scene.probes = {probe_at(2.5, 2.0)};
+  World world(scene, {1, nullptr, {}});
+  const ProbeReading before = read_one(world);
+  for (Float4& p : WorldTestAccess::fluid(world).particles.position)
+    p.z += 0.1F * (p.x + static_cast<float>(world.origin().x()) - 2.5F) + 0.125F;
+  const ProbeReading after = read_one(world);
+  EXPECT_NEAR(after.height - before.height, 0.125, 0.02);
+  EXPECT_NEAR(after.normal.x() / after.normal.z() - before.normal.x() / before.normal.z(), -0.1, 0.02);
+  EXPECT_NEAR(after.normal.y() / after.normal.z() - before.normal.y() / before.normal.z(), 0.0, 0.02);
+}
+
+TEST(Probes, ReadTheVelocityAtTheSurfaceOrWhereTheyAre) {
+  Scene scene = deep_basin();
+  scene.probes = {probe_at(2.5, 2.0, 1), probe_at(2.5, 2.0, 2), probe_at(2.5, 2.0, 3)};
+  scene.probes[1].at_surface = scene.probes[2].at_surface = false;
+  scene.probes[1].position.z() = 1.0;
+  scene.probes[2].position.z() = 2.9;  // in the air: that of the surface
+  World world(scene, {1, nullptr, {}});
+  FluidParticles& p = WorldTestAccess::fluid(world).particles;
+  for (std::size_t i = 0; i < p.count; ++i)
+    p.velocity[i] = {p.position[i].z + static_cast<float>(world.origin().z()), -0.2F, 0.0F, 0.0F};
+  const std::vector<ProbeReading> readings = world.read_probes();
+  ASSERT_EQ(readings.size(), 3U);
+  EXPECT_NEAR(readings[0].velocity.x(), readings[0].height, 0.3);  // the mean of the topmost layers
+  EXPECT_NEAR(readings[1].velocity.x(), 1.0, 0.05);
+  EXPECT_NEAR(readings[1].velocity.y(), -0.2, 1e-5);
+  EXPECT_EQ(readings[2].velocity, readings[0].velocity);
+}
+
+TEST(Probes, SayWhereThereIsNoWater) {
+  Scene scene = deep_basin();
+  scene.water.blocks[0].max.x() = 2.0;
+  scene.water.settle_steps = 0;
+  scene.probes = {probe_at(1.0, 2.0, 1), probe_at(4.0, 2.0, 2)};
+  const World world(scene, {1, nullptr, {}});
+  EXPECT_TRUE(world.read_probes()[0].wet);
+  EXPECT_FALSE(world.read_probes()[1].wet);
+}
+
+TEST(Probes, GoWithTheirBody) {
+  const test::CubeFile cube;
+  Scene scene = test::basin_with_cube(cube);
+  scene.bodies[0].orientation = Eigen::AngleAxisd(EIGEN_PI / 2, Eigen::Vector3d::UnitZ());  // forward is north
+  scene.probes = {probe_at(1.25, 0.0)};
+  scene.probes[0].body = 1;
+  scene.probes[0].at_surface = false;
+  const World world(scene, {1, nullptr, {}});
+  const ProbeReading reading = read_one(world);
+  EXPECT_TRUE(reading.position.isApprox(Eigen::Vector3d(2.5, 3.25, 0.9), 1e-9)) << reading.position.transpose();
+  EXPECT_TRUE(reading.wet);
+}
+
+TEST(Probes, AreAddedReplacedAndRemovedByCommands) {
+  World world(test::basin(), {1, nullptr, {}});
+  EXPECT_TRUE(world.read_probes().empty());
+  EXPECT_EQ(world.apply(SetProbe{probe_at(1.0, 1.0, 7)}), std::nullopt);
+  EXPECT_EQ(world.apply(SetProbe{probe_at(2.0, 1.0, 7)}), std::nullopt);
+  EXPECT_EQ(read_one(world).position.x(), 2.0);
+  StepReport report;
+  Snapshot snapshot;
+  world.fill_snapshot(snapshot, report);
+  ASSERT_EQ(snapshot.probes.size(), 1U);
+  EXPECT_EQ(snapshot.probes[0].id, 7U);
+  EXPECT_EQ(world.apply(RemoveProbe{7}), std::nullopt);
+  world.fill_snapshot(snapshot, report);
+  EXPECT_TRUE(snapshot.probes.empty());
+}
+
+TEST(Probes, AreRefusedWhereTheyCannotBe) {
+  World world(test::basin(), {1, nullptr, {}});
+  ProbeSettings on_nobody = probe_at(1.0, 1.0);
+  on_nobody.body = 9;
+  EXPECT_THAT(world.apply(SetProbe{on_nobody}), Optional(HasSubstr("no body 9; allowed: ")));
+  EXPECT_THAT(world.apply(SetProbe{probe_at(6.0, 1.0)}), Optional(HasSubstr("(6, 1) m is outside the tank")));
+  EXPECT_THAT(world.apply(RemoveProbe{3}), Optional(HasSubstr("no probe 3")));
+  for (std::uint32_t id = 1; id <= kMostProbes; ++id)
+    ASSERT_EQ(world.apply(SetProbe{probe_at(1.0, 1.0, id)}), std::nullopt);
+  EXPECT_THAT(world.apply(SetProbe{probe_at(1.0, 1.0, kMostProbes + 1)}), Optional(HasSubstr("256")));
+  EXPECT_EQ(world.apply(SetProbe{probe_at(2.0, 1.0, 5)}), std::nullopt) << "replacing is no more";
+}
+
+}  // namespace
+}  // namespace pelagos
