@@ -78,7 +78,8 @@ const std::vector<Case>& all_cases() {
       {"floating", "Bodies in the water",
        "Boxes and spheres in a basin between mirrors, where the level follows from the water's volume. Boxes of a "
        "fifth, "
-       "a half and four fifths of the water's density float for 10 s; a barge is held, upright and heeled; a sphere "
+       "a half and four fifths of the water's density float for 6 s; a barge is held, upright, heeled and in a "
+       "current; a sphere "
        "under "
        "water is let go; one that floats half-sunk is let go from 0.2 of its radius below.",
        "Hydrostatics of the mesh (draft, force, righting moment); the added mass of a sphere; the measured heave of a "
