@@ -1,11 +1,13 @@
 #include <gmock/gmock.h>
 
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <mutex>
 
 #include "loopback.hpp"
 #include "pelagos_dds/entities.hpp"
+#include "transport/local_plane.hpp"
 #include "transport/pose_gate.hpp"
 #include "transport/pose_receiver.hpp"
 #include "wire/convert.hpp"
@@ -18,6 +20,7 @@ using namespace std::chrono_literals;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint32_t kSender = 5;
+constexpr GeodeticOrigin kOrigin{38.86, 121.75, 10.0};
 
 BodyPose pose_at(double time) {
   BodyPose pose;
@@ -105,13 +108,17 @@ class PoseLoopback : public testing::Test {
  protected:
   void SetUp() override {
     participant_ = join_dds(test_settings());
-    receiver_ = std::make_unique<PoseReceiver>(participant_, std::vector<std::uint32_t>{1, 2}, [this](auto line) {
-      const std::lock_guard lock(mutex_);
-      lines_.emplace_back(line);
-    });
+    receiver_ =
+        std::make_unique<PoseReceiver>(participant_, std::vector<std::uint32_t>{1, 2}, kOrigin, [this](auto line) {
+          const std::lock_guard lock(mutex_);
+          lines_.emplace_back(line);
+        });
     own_ship_ = std::make_unique<DdsWriter>(*participant_, topics::own_ship_pose());
     other_ = std::make_unique<DdsWriter>(*participant_, topics::body_pose());
-    ASSERT_TRUE(eventually([this] { return own_ship_->matched_readers() == 1 && other_->matched_readers() == 1; }));
+    geodetic_ = std::make_unique<DdsWriter>(*participant_, topics::geodetic_pose());
+    ASSERT_TRUE(eventually([this] {
+      return own_ship_->matched_readers() == 1 && other_->matched_readers() == 1 && geodetic_->matched_readers() == 1;
+    }));
   }
 
   bool send(const BodyPose& pose, const DdsWriter& writer) {
@@ -124,6 +131,7 @@ class PoseLoopback : public testing::Test {
   std::shared_ptr<DdsParticipant> participant_;
   std::unique_ptr<DdsWriter> own_ship_;
   std::unique_ptr<DdsWriter> other_;
+  std::unique_ptr<DdsWriter> geodetic_;
   std::unique_ptr<PoseReceiver> receiver_;
 };
 
@@ -170,6 +178,82 @@ TEST_F(PoseLoopback, BadPosesAreRefusedCountedAndLogged) {
   };
   EXPECT_TRUE(eventually([&] { return logged("body 77 from sender 5 refused"); }));
   EXPECT_TRUE(eventually([&] { return logged("not finite"); }));
+}
+
+pelagos_GeodeticPoseV1 geodetic_sample(double latitude_deg, double longitude_deg) {
+  pelagos_GeodeticPoseV1 sample{};
+  sample.body = 1;
+  sample.sender = kSender;
+  sample.time = 1.0;
+  sample.latitude_deg = latitude_deg;
+  sample.longitude_deg = longitude_deg;
+  sample.height = kOrigin.height;
+  sample.orientation = {0.0, 0.0, 0.0, 1.0};   // heads north, upright
+  sample.velocity = {5.0, 0.0, 0.0};           // to the north
+  sample.angular_rate_body = {0.0, 0.0, 0.1};  // turns to starboard
+  return sample;
+}
+
+TEST_F(PoseLoopback, GeodeticPosesAreTurnedIntoTheWorld) {
+  const pelagos_GeodeticPoseV1 sample = geodetic_sample(kOrigin.latitude_deg + 0.01, kOrigin.longitude_deg);
+  ASSERT_TRUE(geodetic_->write(&sample));
+  std::vector<ReceivedPose> poses;
+  ASSERT_TRUE(eventually([&] {
+    receiver_->take_newest(poses);
+    return !poses.empty();
+  }));
+  const BodyPose& pose = poses[0].pose;
+  EXPECT_NEAR(pose.position.x(), 0.0, 1e-6);
+  EXPECT_NEAR(pose.position.y(), 1110.0, 1.0);  // a hundredth of a degree at 38.86 degrees north
+  EXPECT_TRUE((pose.orientation * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY(), 1e-3));
+  EXPECT_TRUE(pose.velocity.isApprox(Eigen::Vector3d(0.0, 5.0, 0.0), 1e-3));
+  EXPECT_TRUE(pose.angular_velocity.isApprox(Eigen::Vector3d(0.0, 0.0, -0.1), 1e-3));
+}
+
+TEST_F(PoseLoopback, PlacesThatAreNoneAreRefused) {
+  for (const double latitude : {90.1, kNaN}) {
+    const pelagos_GeodeticPoseV1 sample = geodetic_sample(latitude, 0.0);
+    ASSERT_TRUE(geodetic_->write(&sample));
+    ASSERT_TRUE(eventually([this] { return receiver_->counters().refused_in_all() > 0; }));
+  }
+  const pelagos_GeodeticPoseV1 antipode = geodetic_sample(-kOrigin.latitude_deg, kOrigin.longitude_deg - 180.0);
+  ASSERT_TRUE(geodetic_->write(&antipode));
+  EXPECT_TRUE(
+      eventually([this] { return receiver_->counters().refused[static_cast<std::size_t>(PoseFault::kTooFar)] == 1; }));
+  EXPECT_GE(receiver_->counters().refused[static_cast<std::size_t>(PoseFault::kNoPlace)], 1U);
+  EXPECT_EQ(receiver_->counters().accepted, 0U);
+}
+
+/// Earth-centred coordinates of a place (WGS84: a = 6,378,137 m, f = 1 / 298.257223563), the textbook's closed form.
+Eigen::Vector3d earth_centred(double latitude_deg, double longitude_deg, double height) {
+  constexpr double kAxis = 6378137.0, kFlattening = 1.0 / 298.257223563, kDegree = EIGEN_PI / 180.0;
+  const double e2 = kFlattening * (2.0 - kFlattening);
+  const double phi = latitude_deg * kDegree, lambda = longitude_deg * kDegree;
+  const double n = kAxis / std::sqrt(1.0 - e2 * std::sin(phi) * std::sin(phi));
+  return {(n + height) * std::cos(phi) * std::cos(lambda), (n + height) * std::cos(phi) * std::sin(lambda),
+          (n * (1.0 - e2) + height) * std::sin(phi)};
+}
+
+TEST(LocalPlane, IsTangentToTheEllipsoid) {
+  const LocalPlane plane(kOrigin);
+  GeodeticPose pose;
+  pose.latitude_deg = kOrigin.latitude_deg + 0.1;
+  pose.longitude_deg = kOrigin.longitude_deg - 0.2;
+  pose.height = -3.0;
+  pose.velocity = {0.0, 0.0, 1.0};
+  const Eigen::Vector3d way = earth_centred(pose.latitude_deg, pose.longitude_deg, pose.height) -
+                              earth_centred(kOrigin.latitude_deg, kOrigin.longitude_deg, kOrigin.height);
+  const double phi = kOrigin.latitude_deg * EIGEN_PI / 180.0, lambda = kOrigin.longitude_deg * EIGEN_PI / 180.0;
+  const Eigen::Vector3d east(-std::sin(lambda), std::cos(lambda), 0.0);
+  const Eigen::Vector3d up(std::cos(phi) * std::cos(lambda), std::cos(phi) * std::sin(lambda), std::sin(phi));
+  const BodyPose world = plane.to_world(pose);
+  EXPECT_NEAR(world.position.x(), way.dot(east), 1e-6);
+  EXPECT_NEAR(world.position.y(), way.dot(up.cross(east)), 1e-6);
+  EXPECT_NEAR(world.position.z(), way.dot(up), 1e-6);
+  // Up at a place north and west of the origin leans that way in the origin's plane.
+  EXPECT_NEAR(world.velocity.norm(), 1.0, 1e-12);
+  EXPECT_GT(world.velocity.y(), 1e-3);
+  EXPECT_LT(world.velocity.x(), -1e-3);
 }
 
 TEST_F(PoseLoopback, ManyBadPosesOfOneKindDoNotHideAnother) {

@@ -99,7 +99,7 @@ void Server::open_links() {
   PublisherSettings settings;
   settings.bodies_in_ned = options_.bodies_in_ned;
   publisher_ = std::make_unique<FramePublisher>(participant, world_->describe(), settings, dds.log);
-  poses_ = std::make_unique<PoseReceiver>(participant, driven_bodies(options_.scene), dds.log);
+  poses_ = std::make_unique<PoseReceiver>(participant, driven_bodies(options_.scene), options_.scene.origin, dds.log);
   probe_requests_ = std::make_unique<ProbeReceiver>(participant);
 }
 

@@ -23,6 +23,9 @@ std::string_view describe(PoseFault fault) {
       return "the time is not later than that of the pose before";
     case PoseFault::kSecondSender:
       return "another sender drives this body";
+    case PoseFault::kNoPlace:
+      return "latitude, longitude or height is no place; allowed: -90 to 90 degrees, -180 to 360 degrees, -12 to 100 "
+             "km";
   }
   return "unknown fault";
 }
@@ -37,10 +40,7 @@ PoseGate::PoseGate(const std::vector<std::uint32_t>& bodies, const PoseLimits& l
 
 std::optional<PoseFault> PoseGate::check(BodyPose& pose, std::uint32_t sender, Clock::time_point now) {
   const auto fault = find_fault(pose, sender, now);
-  if (fault) {
-    ++counters_.refused[static_cast<std::size_t>(*fault)];
-    return fault;
-  }
+  if (fault) return refuse(*fault);
   pose.orientation.normalize();
   tracks_[pose.body] = {sender, pose.time, now};
   ++counters_.accepted;

@@ -123,6 +123,20 @@ BodyPose from_wire(const pelagos_PoseV1& wire) {
   return pose;
 }
 
+GeodeticPose from_wire(const pelagos_GeodeticPoseV1& wire) {
+  GeodeticPose pose;
+  pose.body = wire.body;
+  pose.time = wire.time;
+  pose.latitude_deg = wire.latitude_deg;
+  pose.longitude_deg = wire.longitude_deg;
+  pose.height = wire.height;
+  const pelagos_Quaternion& q = wire.orientation;
+  pose.orientation = swap_enu_ned(Eigen::Quaterniond(q.w, q.x, q.y, q.z));
+  pose.velocity = swap_enu_ned(from_wire(wire.velocity));
+  pose.angular_velocity = pose.orientation.normalized() * swap_port_starboard(from_wire(wire.angular_rate_body));
+  return pose;
+}
+
 pelagos_WindSettingsV1 to_wire(const std::optional<WindSettings>& wind) {
   pelagos_WindSettingsV1 wire{};
   if (!wind) return wire;

@@ -98,4 +98,11 @@ TopicSpec body_pose() {
   return spec;
 }
 
+TopicSpec geodetic_pose() {
+  TopicSpec spec = own_ship_pose();
+  spec.name = "geodetic_pose_v1";
+  spec.type = &pelagos_GeodeticPoseV1_desc;
+  return spec;
+}
+
 }  // namespace pelagos::topics

@@ -22,8 +22,9 @@ enum class PoseFault : std::uint8_t {
   kSpinsTooFast,  ///< angular velocity
   kTimeNotLater,  ///< time is not larger than that of the pose before
   kSecondSender,  ///< another sender drives the body and is still heard from
+  kNoPlace,       ///< latitude, longitude or height
 };
-inline constexpr std::size_t kPoseFaults = 8;
+inline constexpr std::size_t kPoseFaults = 9;
 
 /// For people, e.g. "unknown body".
 [[nodiscard]] std::string_view describe(PoseFault fault);
@@ -53,6 +54,11 @@ class PoseGate {
 
   /// Empty if `pose` (in ENU) passes; then its orientation is made exactly unit. Counts either way.
   [[nodiscard]] std::optional<PoseFault> check(BodyPose& pose, std::uint32_t sender, Clock::time_point now);
+  /// Counts a pose that was found faulty before it could be one.
+  PoseFault refuse(PoseFault fault) {
+    ++counters_.refused[static_cast<std::size_t>(fault)];
+    return fault;
+  }
   [[nodiscard]] const PoseCounters& counters() const { return counters_; }
 
  private:

@@ -16,6 +16,17 @@ struct BodyPose {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();       ///< rad/s, world
 };
 
+/// A pose whose place is one on the WGS84 ellipsoid, and whose directions are those of that place: east, north, up.
+struct GeodeticPose {
+  std::uint32_t body = 0;
+  double time = 0.0;                                                ///< s, as in BodyPose
+  double latitude_deg = 0.0, longitude_deg = 0.0;                   ///< north and east are positive
+  double height = 0.0;                                              ///< m above the ellipsoid
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to east, north, up
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();               ///< m/s: east, north, up
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();       ///< rad/s about east, north, up
+};
+
 /// How fresh the poses of a body are.
 enum class PoseHealth : std::uint8_t {
   kNone,      ///< none has arrived yet: the body holds where the scene put it

@@ -44,6 +44,7 @@ namespace pelagos::wire {
 [[nodiscard]] pelagos_PoseV1 to_wire(const BodyPose& pose, std::uint32_t sender, pelagos_WorldFrame frame);
 /// Does not validate: see PoseReceiver. An angular rate or velocity that is not finite stays so.
 [[nodiscard]] BodyPose from_wire(const pelagos_PoseV1& pose);
+[[nodiscard]] GeodeticPose from_wire(const pelagos_GeodeticPoseV1& pose);
 
 [[nodiscard]] pelagos_WindSettingsV1 to_wire(const std::optional<WindSettings>& wind);
 [[nodiscard]] WindSettings from_wire(const pelagos_WindSettingsV1& wind);

@@ -19,5 +19,6 @@ namespace pelagos::topics {
 [[nodiscard]] TopicSpec event();
 [[nodiscard]] TopicSpec own_ship_pose();
 [[nodiscard]] TopicSpec body_pose();
+[[nodiscard]] TopicSpec geodetic_pose();
 
 }  // namespace pelagos::topics
