@@ -3,6 +3,8 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
+#include <array>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <numbers>
@@ -12,7 +14,9 @@ namespace pelagos {
 namespace {
 
 constexpr float kCreaseDegrees = 35.0F;
-constexpr float kPrimitiveColour[3] = {0.75F, 0.45F, 0.03F};  // linear; the yellow of special marks
+// Linear. What is as large as a quay or a pier is built of concrete, what is smaller is a buoy or a crate.
+constexpr std::array<float, 3> kMarkYellow{0.75F, 0.45F, 0.03F}, kConcrete{0.33F, 0.32F, 0.29F};
+constexpr double kLargestMark = 10.0;  // m
 
 Eigen::Vector3f turned(const Eigen::Matrix3f& turn, const aiVector3D& v) {
   return turn * Eigen::Vector3f(v.x, v.y, v.z);
@@ -75,6 +79,9 @@ MeshData draw_primitive(const Primitive& primitive) {
   const double least_cosine = std::cos(static_cast<double>(kCreaseDegrees) * std::numbers::pi / 180.0);
   const auto around = triangles_around(mesh);
   MeshData data = empty_data();
+  double reach = 0.0;
+  for (const Eigen::Vector3d& v : mesh.vertices) reach = std::max(reach, v.cwiseAbs().maxCoeff());
+  const auto& [red, green, blue] = 2.0 * reach > kLargestMark ? kConcrete : kMarkYellow;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Eigen::Vector3d own = mesh.area_vector(t).normalized();
     for (const std::uint32_t v : mesh.triangles[t]) {
@@ -83,8 +90,7 @@ MeshData draw_primitive(const Primitive& primitive) {
         if (const Eigen::Vector3d area = mesh.area_vector(other); own.dot(area) >= least_cosine * area.norm())
           normal += area;
       data.indices.push_back(static_cast<std::uint32_t>(data.vertices.size()));
-      add_vertex(data, mesh.vertices[v].cast<float>(), normal.normalized().cast<float>(), kPrimitiveColour[0],
-                 kPrimitiveColour[1], kPrimitiveColour[2]);
+      add_vertex(data, mesh.vertices[v].cast<float>(), normal.normalized().cast<float>(), red, green, blue);
     }
   }
   return data;

@@ -29,7 +29,8 @@ struct MeshData {
 [[nodiscard]] MeshData load_mesh(const std::filesystem::path& file, double scale,
                                  MeshAxes axes = MeshAxes::kXForwardZUp);
 
-/// A primitive in one colour, a buoy's yellow; edges sharper than 35 degrees stay sharp.
+/// A primitive in one colour: a buoy's yellow, or concrete where it is larger than ten metres; edges sharper than 35
+/// degrees stay sharp.
 [[nodiscard]] MeshData draw_primitive(const Primitive& primitive);
 
 /// What to draw for a body: its primitive, or the file that drawn_mesh_file finds.

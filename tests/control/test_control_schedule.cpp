@@ -221,7 +221,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 INSTANTIATE_TEST_SUITE_P(
     Values, ControlCurrentRefusals,
-    testing::Values(BadCurrent{"SpeedHigh", [](auto& c) { c.set_speed(5.1); }, ".speed", "allowed: 0 to 5 m/s"},
+    testing::Values(BadCurrent{"SpeedHigh", [](auto& c) { c.set_speed(10.1); }, ".speed", "allowed: 0 to 10 m/s"},
                     BadCurrent{"SpeedNegative", [](auto& c) { c.set_speed(-1); }, ".speed", "-1 is out of range"},
                     BadCurrent{"SpeedNan", [](auto& c) { c.set_speed(kNan); }, ".speed", "nan"},
                     BadCurrent{"Direction", [](auto& c) { c.set_to_deg(361); }, ".to_deg", "0 to 360"},
@@ -231,10 +231,10 @@ INSTANTIATE_TEST_SUITE_P(
                     BadCurrent{"Long",
                                [](auto& c) {
                                  c.Clear();
-                                 c.mutable_velocity()->set_x(4);
-                                 c.mutable_velocity()->set_y(4);
+                                 c.mutable_velocity()->set_x(8);
+                                 c.mutable_velocity()->set_y(8);
                                },
-                               ".velocity", "allowed: 0 to 5 m/s"},
+                               ".velocity", "allowed: 0 to 10 m/s"},
                     BadCurrent{"Upward",
                                [](auto& c) {
                                  c.Clear();

@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "event[0].set_wind", "without gravity"},
         FaultCase{"Ramp", "event { at: 1 set_current { current { speed: 0 } ramp: -1 } }", "event[0].set_current.ramp",
                   "0 to 3600 s"},
-        FaultCase{"CurrentSpeed", "current { speed: 6 to_deg: 0 }", "current.speed", "0 to 5 m/s"},
+        FaultCase{"CurrentSpeed", "current { speed: 11 to_deg: 0 }", "current.speed", "0 to 10 m/s"},
         FaultCase{"CurrentDepth", "current { speed: 1 to_deg: 0 shear: LINEAR depth: 0 }", "current.depth",
                   "0.01 to 11000 m"},
         FaultCase{"CurrentNoDepth", "current { speed: 1 to_deg: 0 shear: LINEAR }", "current.depth", "is missing"}),

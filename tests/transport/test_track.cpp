@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
 #include <sstream>
 
 #include "track.hpp"
@@ -83,6 +85,25 @@ TEST(OvalTrackTest, SeaMotionHasItsAmplitudes) {
   EXPECT_NEAR(up, 0.1, 1e-4);  // sampled every 10 ms: the peak may be missed by (pi / 6.3 * 0.01)^2
   EXPECT_NEAR(pitch, 1.5, 1e-3);
   EXPECT_NEAR(roll, 3.0, 1e-3);
+}
+
+TEST(ShippedTrack, LaysTheCoasterAlongsideTheQuayAtASeamanlikeSpeed) {
+  std::ifstream file(std::string(PELAGOS_SOURCE_DIR) + "/examples/bridge/tracks/alongside.csv");
+  std::string error;
+  const auto path = read_track(file, "alongside.csv", error);
+  ASSERT_TRUE(path) << error;
+  const Track track{*path, {}};
+  for (double time = 0.0; time <= end_of(track); time += 0.25) {
+    const ShipState ship = state_at(track, time);
+    const NedMotion motion = motion_at(track, time);
+    EXPECT_LT(motion.velocity.norm(), 1.2) << time;
+    EXPECT_LT(std::abs(motion.angular_rate_body.z()), 0.02) << time;
+    // Half a beam of 4.5 m and half a length of 18 m: a box around the hull stays clear of the quay's face at 20 m.
+    const double turn = (90.0 - ship.heading_deg) * EIGEN_PI / 180.0;
+    EXPECT_LT(ship.north + 4.5 * std::cos(turn) + 18.0 * std::sin(turn), 20.0 - 1.0) << time;
+  }
+  const NedMotion rest = motion_at(track, end_of(track) - 5.0);
+  EXPECT_LT(rest.velocity.norm(), 1e-6);
 }
 
 }  // namespace

@@ -93,6 +93,15 @@ TEST(BodyMesh, DrawsPrimitivesByTheirNames) {
   }
 }
 
+TEST(BodyMesh, LargePrimitivesAreOfConcreteSmallOnesYellow) {
+  const auto redness = [](const char* name) {
+    const auto& colour = load_body_mesh(kMeshes, name, 1.0).vertices[0].colour;
+    return colour[0] / colour[2];
+  };
+  EXPECT_GT(redness("primitive:box:2x1x0.5"), 5.0F);
+  EXPECT_LT(redness("primitive:box:78x3x8"), 1.5F);
+}
+
 TEST(BodyMesh, TurnsFilesThatAreYUp) {
   const MeshData as_is = load_body_mesh(kMeshes, "coaster_hull.obj", 1.0);
   const MeshData turned = load_body_mesh(kMeshes, "y-up:coaster_hull.obj", 1.0);

@@ -5,7 +5,7 @@
 namespace pelagos {
 namespace {
 
-constexpr double kLargestSpeed = 5.0;   // m/s; the ranges are those of proto/current.proto
+constexpr double kLargestSpeed = 10.0;  // m/s; the ranges are those of proto/current.proto
 constexpr double kLargestDepth = 11e3;  // m; the deepest trench
 constexpr double kRounding = 1e-12;     // of a length that was made of speed and direction
 
@@ -33,7 +33,7 @@ void read_vector(const FieldReader& reader, Eigen::Vector3d& velocity) {
   if (given.z() != 0.0) {
     reader.fault("velocity", "has a vertical part of " + format_number(given.z()) + " m/s; allowed: x and y only");
   } else if (given.norm() > kLargestSpeed * (1.0 + kRounding)) {
-    reader.fault("velocity", "is " + format_number(given.norm()) + " m/s long; allowed: 0 to 5 m/s");
+    reader.fault("velocity", "is " + format_number(given.norm()) + " m/s long; allowed: 0 to 10 m/s");
   } else {
     velocity = given;
   }
