@@ -119,6 +119,13 @@ void run_paper_dam_break(Session& session);
 void run_wind(Session& session);
 void run_paper_wind(Session& session);
 void run_floating(Session& session);
+void run_interface_density(Session& session);
+void run_oil_at_rest(Session& session);
+void run_rayleigh_taylor(Session& session);
+void run_lock_exchange(Session& session);
+void run_oil_slump(Session& session);
+void run_oil_drop(Session& session);
+void run_oil_spill(Session& session);
 void run_work_precision(Session& session);
 
 }  // namespace pelagos::validation

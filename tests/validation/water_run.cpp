@@ -21,6 +21,8 @@ FluidParameters with_solver(FluidParameters parameters, const SolverChoice& choi
   if (choice.tolerance > 0.0) solver.density.tolerance = solver.divergence.tolerance = choice.tolerance;
   apply_solver(solver, parameters);
   if (parameters.viscosity < 0.0) parameters.viscosity = default_viscosity(solver.kind, parameters.spacing);
+  if (parameters.oil && parameters.oil->viscosity < 0.0)
+    parameters.oil->viscosity = parameters.oil->rest_density * parameters.viscosity;
   return parameters;
 }
 
@@ -28,7 +30,7 @@ FluidParameters with_solver(FluidParameters parameters, const SolverChoice& choi
 
 WaterRun::WaterRun(int threads, FluidParameters parameters, const SolverChoice& solver, const Start& start)
     : pool_(std::make_unique<TaskPool>(threads)),
-      state_(make_fluid(*pool_, with_solver(std::move(parameters), solver), start.positions)) {
+      state_(make_fluid(*pool_, with_solver(std::move(parameters), solver), start.positions, start.phase)) {
   std::copy(start.velocities.begin(), start.velocities.end(), state_.particles.velocity.begin());
   sums_.particles = start.positions.size();
   limit_steps(0.07, 0.4);

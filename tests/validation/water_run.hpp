@@ -20,6 +20,7 @@ struct SolverChoice {
 /// Particles on a lattice with velocities: the start of a case.
 struct Start {
   std::vector<Float4> positions, velocities;  ///< m, m/s; velocities may be empty: at rest
+  std::vector<std::uint8_t> phase;            ///< may be empty: all water
 };
 
 /// What a run cost and how well it held the water together.
@@ -66,7 +67,7 @@ class WaterRun {
 };
 
 /// Parameters of water in a tank from the origin to `size` (m), standard gravity; viscosity negative: the
-/// solver's default, filled in by WaterRun.
+/// solver's default, filled in by WaterRun. So it does for oil, with the same kinematic viscosity.
 [[nodiscard]] FluidParameters tank_parameters(const std::array<double, 3>& size, double spacing,
                                               const std::array<Edge, 3>& edges);
 

@@ -10,6 +10,7 @@ import os
 import sys
 
 import body_figures
+import oil_figures
 import paper_figures
 import plots
 import wind_figures
@@ -78,7 +79,7 @@ def folded(title, body):
 
 def draw(results, case, folder):
     """The case's plots; none where a run that broke down left no series for them."""
-    function = next(getattr(module, case) for module in (plots, paper_figures, wind_figures, body_figures) if hasattr(module, case))
+    function = next(getattr(module, case) for module in (plots, paper_figures, wind_figures, body_figures, oil_figures) if hasattr(module, case))
     try:
         return function(results, folder)
     except (KeyError, TypeError, IndexError, ValueError):

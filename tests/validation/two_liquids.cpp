@@ -1,0 +1,60 @@
+#include "two_liquids.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelagos::validation {
+
+FluidParameters TwoLiquids::parameters() const {
+  FluidParameters p = tank_parameters({length, kSliceOfTwo * spacing, height}, spacing,
+                                      {periodic ? Edge::kPeriodic : Edge::kMirror, Edge::kPeriodic, Edge::kMirror});
+  p.oil = PhaseParameters{oil_density, -1.0};
+  return p;
+}
+
+Start TwoLiquids::start(const std::function<bool(double, double)>& is_oil) const {
+  Start start = fill_block(parameters(), {length, kSliceOfTwo * spacing, filled});
+  for (const Float4& p : start.positions)
+    start.phase.push_back(is_oil(static_cast<double>(p.x), static_cast<double>(p.z)) ? kOilPhase : kWaterPhase);
+  return start;
+}
+
+double oil_mode(const FluidState& state, double wave_number, double length) {
+  const double d = state.parameters.spacing;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < state.particles.count; ++i)
+    if (state.particles.phase[i] == kOilPhase)
+      sum += std::cos(wave_number * static_cast<double>(state.particles.position[i].x));
+  return 2.0 / length * sum * d * d / kSliceOfTwo;
+}
+
+double deepest_intruder(const FluidState& state, bool oil_above) {
+  const FluidParticles& p = state.particles;
+  std::vector<double> height;
+  for (std::size_t i = 0; i < p.count; ++i) height.push_back(static_cast<double>(p.position[i].z));
+  std::sort(height.begin(), height.end());
+  const auto oil = static_cast<std::size_t>(
+      std::count(p.phase.begin(), p.phase.begin() + static_cast<std::ptrdiff_t>(p.count), kOilPhase));
+  const std::size_t below = oil_above ? p.count - oil : oil;
+  const double interface = 0.5 * (height[below - 1] + height[below]);
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < p.count; ++i) {
+    const bool upper = (p.phase[i] == kOilPhase) == oil_above;
+    const double z = static_cast<double>(p.position[i].z);
+    deepest = std::max(deepest, upper ? interface - z : z - interface);
+  }
+  return deepest;
+}
+
+double quantile_x(const FluidState& state, bool oil, double share) {
+  std::vector<double> x;
+  for (std::size_t i = 0; i < state.particles.count; ++i)
+    if ((state.particles.phase[i] == kOilPhase) == oil) x.push_back(static_cast<double>(state.particles.position[i].x));
+  const auto at =
+      x.begin() + std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(share * static_cast<double>(x.size())),
+                                           static_cast<std::ptrdiff_t>(x.size()) - 1);
+  std::nth_element(x.begin(), at, x.end());
+  return *at;
+}
+
+}  // namespace pelagos::validation
