@@ -29,7 +29,7 @@ void add_options(CLI::App& app, std::string& file, MeshQuestions& questions, boo
       ->check(CLI::Range(500.0, 2000.0));
   app.add_option("--spacing", questions.spacing, "Particle spacing, m: number of boundary samples")
       ->check(CLI::Range(0.001, 100.0));
-  app.add_option("--inset", questions.inset, "Of the samples, spacings (default: 0.6)")->check(CLI::Range(0.0, 1.0));
+  app.add_option("--inset", questions.inset, "Of the samples, spacings (default: 0.61)")->check(CLI::Range(0.0, 1.0));
 }
 
 }  // namespace

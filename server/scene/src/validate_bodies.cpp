@@ -123,7 +123,9 @@ BodySettings read_body(const FieldReader& reader, const std::optional<Box>& tank
   reader.read("name", 64, body.name);
   body.drive = drive_of(reader.read_enum("drive"));
   read_surface_of_body(reader, source, body);
-  reader.read("sample_inset", {0.0, 1.0, "spacings"}, body.sample_inset);
+  double inset = 0.0;
+  if (reader.has("sample_inset") && reader.read("sample_inset", {0.0, 1.0, "spacings"}, inset))
+    body.sample_inset = inset;
   read_place(reader, tank, body);
   body.orientation = read_orientation(reader);
   read_freedom(reader, body);

@@ -21,9 +21,9 @@ Eigen::Vector3d to_world(const BodyState& state, const Eigen::Vector3d& body) {
 /// The body's shape from its file or primitive.
 BodyShape shape_of(const BodySettings& settings, double spacing) {
   const MeshKind kind = settings.open ? MeshKind::kOpen : MeshKind::kClosed;
-  if (settings.primitive) return make_body_shape(make_mesh(*settings.primitive), spacing, settings.sample_inset, kind);
-  return load_body_shape(settings.mesh_file, {settings.mesh_scale, settings.mesh_axes, kind}, spacing,
-                         settings.sample_inset);
+  const double inset = settings.sample_inset.value_or(default_sample_inset(settings));
+  if (settings.primitive) return make_body_shape(make_mesh(*settings.primitive), spacing, inset, kind);
+  return load_body_shape(settings.mesh_file, {settings.mesh_scale, settings.mesh_axes, kind}, spacing, inset);
 }
 
 FreeBody::Freedom freedom_of(BodyDrive drive) {

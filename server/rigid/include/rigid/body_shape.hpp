@@ -38,7 +38,7 @@ struct BodyShape {
 
 /// Samples a mesh for boundary particles.
 /// Samples lie on the inner parallel surface, `inset` spacings below the mesh (none: hulls float 11 to 15 % too high;
-/// 0.6 is calibrated on drafts). Where the body is thinner than twice the inset, they lie in its middle. They are
+/// see default_sample_inset). Where the body is thinner than twice the inset, they lie in its middle. They are
 /// a maximal Poisson-disk set of a fine cloud of candidates (dart throwing as Bowers et al. 2010, "Parallel Poisson
 /// disk sampling with spectrum analysis on surfaces", in a fixed random order): no two closer than 0.8 spacings, no
 /// hole between them wider than that, about one for each spacing^2 as on the tank's walls. The same mesh gives the same
