@@ -282,7 +282,7 @@ void run_floating(Session& session) {
     for (const std::string& solver : session.solvers({"corrected"}))
       for (const double spacing : {0.1, 0.05}) {
         if (spacing < 0.1 && (session.quick() || !setup.fine)) continue;
-        const Subject subject{"floating", fmt::format("{}; d {:g}", setup.name, spacing), solver, spacing};
+        const Subject subject{"floating", fmt::format("{}, d {:g}", setup.name, spacing), solver, spacing};
         session.attempt(subject, [&] { setup.run(session, subject); });
       }
   }
