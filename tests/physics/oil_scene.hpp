@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <vector>
 
 #include "water_scene.hpp"
 
@@ -46,6 +48,24 @@ inline double mean_rise_of(const FluidState& state, std::uint8_t phase) {
     ++count;
   }
   return sum / count;
+}
+
+/// How far the particles on the wrong side of the interface have gone, m; the interface is where as many particles lie
+/// below it as the lower phase has.
+inline double deepest_intruder(const FluidState& state, bool oil_above) {
+  const std::size_t count = state.particles.count;
+  const std::size_t below = oil_above ? count - state.oil_count : state.oil_count;
+  std::vector<double> height;
+  for (std::size_t i = 0; i < count; ++i) height.push_back(static_cast<double>(state.particles.position[i].z));
+  std::sort(height.begin(), height.end());
+  const double interface = 0.5 * (height[below - 1] + height[below]);
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool above = (state.particles.phase[i] == kOilPhase) == oil_above;
+    const double z = static_cast<double>(state.particles.position[i].z);
+    deepest = std::max(deepest, above ? interface - z : z - interface);
+  }
+  return deepest;
 }
 
 /// Oil where the test says so.

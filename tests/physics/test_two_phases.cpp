@@ -102,24 +102,6 @@ WaterScene layered(const Case& c, double oil_density, bool oil_above, Edge edge,
           })};
 }
 
-/// How far the particles on the wrong side of the interface have gone, m; the interface is where as many particles lie
-/// below it as the lower phase has.
-double deepest_intruder(const FluidState& state, bool oil_above) {
-  const std::size_t count = state.particles.count;
-  const std::size_t below = oil_above ? count - state.oil_count : state.oil_count;
-  std::vector<double> height;
-  for (std::size_t i = 0; i < count; ++i) height.push_back(static_cast<double>(state.particles.position[i].z));
-  std::sort(height.begin(), height.end());
-  const double interface = 0.5 * (height[below - 1] + height[below]);
-  double deepest = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool above = (state.particles.phase[i] == kOilPhase) == oil_above;
-    const double z = static_cast<double>(state.particles.position[i].z);
-    deepest = std::max(deepest, above ? interface - z : z - interface);
-  }
-  return deepest;
-}
-
 TEST_P(TwoPhases, TheLighterRestsOnTheHeavier) {
   for (const Edge edge : {Edge::kMirror, Edge::kWall})
     for (const bool oil_above : {true, false}) {

@@ -45,4 +45,13 @@ struct FaultCase {
 };
 inline void PrintTo(const FaultCase& c, std::ostream* out) { *out << c.text; }
 
+/// The scene with that text is refused for that one fault, told with its line, its field and what is allowed.
+inline void expect_only_fault(const FaultCase& fault) {
+  const SceneResult result = read_with(fault.text);
+  EXPECT_FALSE(result);
+  EXPECT_THAT(result.faults, testing::ElementsAre(
+                                 testing::AllOf(testing::StartsWith(std::string("test.scene:7: ") + fault.field + ": "),
+                                                testing::HasSubstr(fault.says))));
+}
+
 }  // namespace pelagos::test

@@ -13,10 +13,8 @@ namespace {
 using test::body_of;
 using test::expect_sound;
 using test::floating_box;
+using test::kAllSolvers;
 using test::run_until;
-
-constexpr SolverKind kAllSolvers[] = {SolverKind::kHybrid, SolverKind::kDfsph, SolverKind::kPbf,
-                                      SolverKind::kCorrected};
 
 Eigen::Vector3d water_momentum(const World& world) {
   const FluidParticles& p = world.fluid().particles;

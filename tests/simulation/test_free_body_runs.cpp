@@ -12,11 +12,9 @@ namespace {
 using test::body_of;
 using test::expect_sound;
 using test::floating_box;
+using test::kAllSolvers;
 using test::run_until;
 using test::sunken_sphere;
-
-constexpr SolverKind kAllSolvers[] = {SolverKind::kHybrid, SolverKind::kDfsph, SolverKind::kPbf,
-                                      SolverKind::kCorrected};
 
 TEST(FreeBodyRuns, FloatAtTheirDraft) {
   for (const SolverKind solver : {SolverKind::kHybrid, SolverKind::kCorrected}) {

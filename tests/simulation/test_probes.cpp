@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "basin.hpp"
 #include "simulation/surface_columns.hpp"
 #include "simulation/world.hpp"
@@ -86,6 +88,18 @@ TEST(Probes, SayWhereThereIsNoWater) {
   const World world(scene, {1, nullptr, {}});
   EXPECT_TRUE(world.read_probes()[0].wet);
   EXPECT_FALSE(world.read_probes()[1].wet);
+}
+
+TEST(Probes, PlacesFarAwayOrNowhereAreDryAndCostNothing) {
+  const World world(deep_basin(), {1, nullptr, {}});
+  const Eigen::Vector2d middle = (Eigen::Vector3d(2.5, 2.0, 0.0) - world.origin()).head<2>();
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<SurfacePlace> places{{middle, {}}, {{9e4, -9e4}, {}}, {{nowhere, 0.0}, {}}};
+  const std::vector<SurfaceReading> readings = read_surface(world.fluid(), places);  // cells up to there: terabytes
+  EXPECT_TRUE(readings[0].wet);
+  EXPECT_FALSE(readings[1].wet);
+  EXPECT_FALSE(readings[2].wet);
+  EXPECT_FALSE(read_surface(world.fluid(), std::span(places).subspan(1))[0].wet);
 }
 
 TEST(Probes, GoWithTheirBody) {

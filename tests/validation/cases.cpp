@@ -83,7 +83,7 @@ const std::vector<Case>& all_cases() {
        "under "
        "water is let go; one that floats half-sunk is let go from 0.2 of its radius below.",
        "Hydrostatics of the mesh (draft, force, righting moment); the added mass of a sphere; the measured heave of a "
-       "sphere. Another particle code reaches 1.1 to 1.2 % of the draft and drifts by 8.8 % of the length.",
+       "sphere. Another particle code reaches 1.1 to 1.2 % of the draft and drifts by 8.8 % of the length in 10 s.",
        run_floating},
       {"interface_density", "Density at the interface of two liquids",
        "Particles on a line, 1000 kg/m^3 on the left and 400 on the right: the standard sum smears the step over a "

@@ -28,24 +28,6 @@ double oil_mode(const FluidState& state, double wave_number, double length) {
   return 2.0 / length * sum * d * d / kSliceOfTwo;
 }
 
-double deepest_intruder(const FluidState& state, bool oil_above) {
-  const FluidParticles& p = state.particles;
-  std::vector<double> height;
-  for (std::size_t i = 0; i < p.count; ++i) height.push_back(static_cast<double>(p.position[i].z));
-  std::sort(height.begin(), height.end());
-  const auto oil = static_cast<std::size_t>(
-      std::count(p.phase.begin(), p.phase.begin() + static_cast<std::ptrdiff_t>(p.count), kOilPhase));
-  const std::size_t below = oil_above ? p.count - oil : oil;
-  const double interface = 0.5 * (height[below - 1] + height[below]);
-  double deepest = 0.0;
-  for (std::size_t i = 0; i < p.count; ++i) {
-    const bool upper = (p.phase[i] == kOilPhase) == oil_above;
-    const double z = static_cast<double>(p.position[i].z);
-    deepest = std::max(deepest, upper ? interface - z : z - interface);
-  }
-  return deepest;
-}
-
 double quantile_x(const FluidState& state, bool oil, double share) {
   std::vector<double> x;
   for (std::size_t i = 0; i < state.particles.count; ++i)

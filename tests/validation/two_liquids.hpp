@@ -3,9 +3,12 @@
 #include <array>
 #include <functional>
 
+#include "oil_scene.hpp"  // of tests/physics: what unit tests measure of two liquids, too
 #include "water_run.hpp"
 
 namespace pelagos::validation {
+
+using test::deepest_intruder;
 
 // Cases of oil and water: slices in the x, z plane, four spacings along the periodic y axis.
 
@@ -26,10 +29,6 @@ struct TwoLiquids {
 /// Amplitude a of the interface's mode a cos(k x), m, from the area of oil over x: the mean over the slice and free of
 /// how particles happen to lie. Positive where oil reaches further up (oil below) or down (oil above) at x = 0.
 [[nodiscard]] double oil_mode(const FluidState& state, double wave_number, double length);
-
-/// How deep the furthest particle stands in the other liquid, m, where the interface lies flat: at the height that as
-/// many particles are below as the lower liquid has.
-[[nodiscard]] double deepest_intruder(const FluidState& state, bool oil_above);
 
 /// x that the given share of the oil (or water) particles stays below, m.
 [[nodiscard]] double quantile_x(const FluidState& state, bool oil, double share);

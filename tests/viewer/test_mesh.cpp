@@ -95,7 +95,8 @@ TEST(BodyMesh, DrawsPrimitivesByTheirNames) {
 
 TEST(BodyMesh, LargePrimitivesAreOfConcreteSmallOnesYellow) {
   const auto redness = [](const char* name) {
-    const auto& colour = load_body_mesh(kMeshes, name, 1.0).vertices[0].colour;
+    const MeshData body = load_body_mesh(kMeshes, name, 1.0);
+    const auto& colour = body.vertices.at(0).colour;
     return colour[0] / colour[2];
   };
   EXPECT_GT(redness("primitive:box:2x1x0.5"), 5.0F);

@@ -25,19 +25,27 @@ struct Member {
 };
 using Column = std::vector<Member>;
 
-/// Finds the columns that a point may be part of: cells as wide as a column over the box around all places.
+/// Finds the columns that a point may be part of: cells as wide as a column over the box around those places that water
+/// may be near. A body may stand a hundred kilometres off: places outside the tank and its images get no cells.
 class PlaceGrid {
  public:
-  PlaceGrid(std::span<const SurfacePlace> places, double radius) : inverse_(1.0 / radius) {
+  PlaceGrid(const Region& tank, std::span<const SurfacePlace> places, double radius) : inverse_(1.0 / radius) {
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(2.0 * radius);
+    const Eigen::AlignedBox2d near_water(Eigen::Vector2f(tank.min[0], tank.min[1]).cast<double>() - margin,
+                                         Eigen::Vector2f(tank.max[0], tank.max[1]).cast<double>() + margin);
     Eigen::AlignedBox2d box;
-    for (const SurfacePlace& place : places) box.extend(place.local);
+    for (const SurfacePlace& place : places)
+      if (near_water.contains(place.local)) box.extend(place.local);
+    if (box.isEmpty()) return;
     corner_ = box.min() - Eigen::Vector2d::Constant(1.5 * radius);
     columns_ = static_cast<int>(box.sizes().x() * inverse_) + 4;
     rows_ = static_cast<int>(box.sizes().y() * inverse_) + 4;
     list_of_cell_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1);
-    for (std::uint32_t k = 0; k < places.size(); ++k)
+    for (std::uint32_t k = 0; k < places.size(); ++k) {
+      if (!near_water.contains(places[k].local)) continue;
       for (int i = -1; i <= 1; ++i)
         for (int j = -1; j <= 1; ++j) add(k, cell(places[k].local, i, j));
+    }
   }
   /// Those whose cell or a neighbour of it holds the point; null if none.
   [[nodiscard]] const std::vector<std::uint32_t>* near(const Eigen::Vector2d& at) const {
@@ -175,7 +183,7 @@ SurfaceReading read_column(const FluidState& fluid, const SurfacePlace& place, C
 std::vector<SurfaceReading> read_surface(const FluidState& fluid, std::span<const SurfacePlace> places) {
   std::vector<SurfaceReading> readings(places.size());
   if (places.empty()) return readings;
-  const PlaceGrid grid(places, kRadius * fluid.parameters.spacing);
+  const PlaceGrid grid(fluid.parameters.tank, places, kRadius * fluid.parameters.spacing);
   std::vector<Column> columns(places.size());
   collect(fluid, 0, fluid.particles.count, places, grid, columns);
   if (!fluid.ghosts.empty())

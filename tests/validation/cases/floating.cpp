@@ -194,7 +194,7 @@ void run_neutral(Session& session, const Subject& subject) {
     if (k == 0) continue;
     const double neutral = ratios[0] + (ratios[1] - ratios[0]) * way[0] / (way[0] - way[1]);
     run.add({"rise at 0.98", way[0] / 0.5, "R in 1.5 s", "more than 0", at_least(0.02, 0.0)});
-    run.add({"neutral density ratio, off by", neutral - 1.0, "", "1", at_most(0.02, 0.12)});
+    run.add({"neutral density ratio, off by", neutral - 1.0, "", "1", at_most(0.02, 0.05)});
   }
 }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "harness.hpp"
@@ -46,11 +48,7 @@ void run_lock_exchange(Session& session) {
     if (session.quick() && cells > 16) continue;
     for (const std::string& solver : session.solvers({"corrected", "hybrid"})) {
       if ((session.quick() || cells == 40) && solver != kDefaultSolver) continue;
-      const Subject subject{"lock_exchange",
-                            cells == 16   ? "H/d 16"
-                            : cells == 24 ? "H/d 24"
-                                          : "H/d 40",
-                            solver, kHeight / cells};
+      const Subject subject{"lock_exchange", fmt::format("H/d {}", cells), solver, kHeight / cells};
       session.attempt(subject, [&] { run_gate(session, subject); });
     }
   }

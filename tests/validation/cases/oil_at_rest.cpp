@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "harness.hpp"
@@ -12,14 +14,6 @@ namespace {
 constexpr double kDepth = 1.0, kOil = 800.0;                       // m, half of it oil; kg/m^3
 constexpr double kEnd = 5.0, kAverageFrom = 4.0;                   // s
 constexpr double kBottom = 9.81 * 0.5 * kDepth * (1000.0 + kOil);  // Pa
-
-/// Mean height of a phase's particles, m.
-double mean_height(const FluidState& state, std::uint8_t phase) {
-  LineFit mean;
-  for (std::size_t i = 0; i < state.particles.count; ++i)
-    if (state.particles.phase[i] == phase) mean.add(0.0, static_cast<double>(state.particles.position[i].z));
-  return mean.mean();
-}
 
 /// Pressure over height of the water, from two spacings above the bottom to two below the interface.
 void add_pressure(const FluidState& state, LineFit& fit, std::vector<float>& pressure) {
@@ -37,7 +31,8 @@ void run_layers(Session& session, const Subject& subject, int layers) {
   TwoLiquids box{10 * d, 1.3 * kDepth, kDepth, d, kOil, true};
   WaterRun run(session.options().threads, box.parameters(), {subject.solver},
                box.start([](double, double z) { return z > 0.5 * kDepth; }));
-  const double oil = mean_height(run.state(), kOilPhase), water = mean_height(run.state(), kWaterPhase);
+  const double oil = test::mean_height_of(run.state(), kOilPhase),
+               water = test::mean_height_of(run.state(), kWaterPhase);
   run.advance_to(kAverageFrom, [&] { session.progress(subject, run.time() / kEnd); });
   LineFit pressure;
   std::vector<float> buffer;
@@ -51,8 +46,10 @@ void run_layers(Session& session, const Subject& subject, int layers) {
   const double mass_height = 0.5 * (1000.0 + kOil) * static_cast<double>(state.particles.count) * d * d * d * 9.81;
   session.add(subject, {"bottom pressure error", 100.0 * (pressure.at(0.0) / kBottom - 1.0), "%", "weight of both",
                         at_most(0.2, 2.5)});
-  session.add(subject, {"oil sank by", (oil - mean_height(state, kOilPhase)) / d, "d", "0", at_most(0.25, 0.5)});
-  session.add(subject, {"water rose by", (mean_height(state, kWaterPhase) - water) / d, "d", "0", at_most(0.25, 0.5)});
+  session.add(subject,
+              {"oil sank by", (oil - test::mean_height_of(state, kOilPhase)) / d, "d", "0", at_most(0.25, 0.5)});
+  session.add(subject,
+              {"water rose by", (test::mean_height_of(state, kWaterPhase) - water) / d, "d", "0", at_most(0.25, 0.5)});
   session.add(subject, {"deepest particle in the other liquid", deepest_intruder(state, true) / d, "d",
                         "they stay layered", at_most(0.25, 1.0)});
   session.add(subject, {"kinetic energy left after 5 s", kinetic / steps / mass_height / kDepth, "m g H", "0",
@@ -66,7 +63,7 @@ void run_oil_at_rest(Session& session) {
   for (const int layers : {20, 40}) {
     if (session.quick() && layers > 20) continue;
     for (const std::string& solver : session.solvers({"corrected", "hybrid"})) {
-      const Subject subject{"oil_at_rest", layers == 20 ? "H/d 20" : "H/d 40", solver, kDepth / layers};
+      const Subject subject{"oil_at_rest", fmt::format("H/d {}", layers), solver, kDepth / layers};
       session.attempt(subject, [&] { run_layers(session, subject, layers); });
     }
   }

@@ -1,4 +1,3 @@
-#include <array>
 #include <cmath>
 
 #include "harness.hpp"
@@ -11,26 +10,6 @@ namespace {
 constexpr double kSpacing = 0.05, kRadius = 0.4;  // m
 constexpr float kMiddle = 2.0F;                   // m: no drop that flies off reaches a face
 constexpr int kSteps = 400;
-
-/// Momentum, kg m/s, and the sum of its magnitudes.
-struct Momentum {
-  std::array<double, 3> sum{};
-  double scale = 0.0;
-};
-
-Momentum momentum_of(const FluidState& state) {
-  Momentum momentum;
-  for (std::size_t i = 0; i < state.particles.count; ++i) {
-    const bool oil = state.particles.phase[i] == kOilPhase;
-    const double mass =
-        (oil ? state.parameters.oil->rest_density : state.parameters.rest_density) * state.parameters.volume();
-    const Float4& v = state.particles.velocity[i];
-    const std::array<double, 3> own{static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-    for (std::size_t a = 0; a < 3; ++a) momentum.sum[a] += mass * own[a];
-    momentum.scale += mass * std::hypot(own[0], own[1], own[2]);
-  }
-  return momentum;
-}
 
 /// A ball, oil on its right, whose halves fly at each other and spin, without gravity.
 Start ball(const FluidParameters& parameters) {
@@ -51,11 +30,11 @@ void run_drop(Session& session, const Subject& subject, double oil_density) {
   parameters.gravity = 0.0;
   parameters.oil = PhaseParameters{oil_density, -1.0};
   WaterRun run(session.options().threads, parameters, {subject.solver}, ball(parameters));
-  const Momentum before = momentum_of(run.state());
+  const test::PhaseMomentum before = test::momentum_of(run.state());
   double furthest = 0.0;
   for (int k = 1; k <= kSteps; ++k) {
     run.advance_to(0.002 * k);
-    const Momentum now = momentum_of(run.state());
+    const test::PhaseMomentum now = test::momentum_of(run.state());
     double drift = 0.0;
     for (std::size_t a = 0; a < 3; ++a) drift = std::hypot(drift, now.sum[a] - before.sum[a]);
     furthest = std::max(furthest, drift / before.scale);

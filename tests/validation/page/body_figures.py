@@ -6,15 +6,8 @@ from style import EXPERIMENT, new_figure, save, shade
 CASE = "floating"
 
 
-def curves(results, name):
-    """(label, series) of every run that left a series of that name."""
-    found = [(setup.replace(";", ","), results.series(CASE, name, setup, DEFAULT_SOLVER))
-             for setup in results.setups(CASE, DEFAULT_SOLVER)]
-    return [(label, series) for label, series in found if series]
-
-
 def draw_drafts(axis, drafts):
-    for k, (label, series) in enumerate(drafts):
+    for k, (label, _, series) in enumerate(drafts):
         axis.plot(series["t"], series["draft"], color=shade(k, len(drafts)), linewidth=0.9, label=label)
     axis.axhline(1.0, color=EXPERIMENT, linewidth=0.8, linestyle=":", label="mass over density and area")
     axis.set(title="boxes afloat", xlabel="t (s)", ylabel="draft / expected", ylim=(0.9, 1.1))
@@ -22,7 +15,7 @@ def draw_drafts(axis, drafts):
 
 
 def draw_heave(axis, heaves):
-    for k, (label, series) in enumerate(heaves):
+    for k, (label, _, series) in enumerate(heaves):
         axis.plot(series["t"], series["z"], color=shade(k, len(heaves)), label=label)
     axis.axhline(0.0, color=EXPERIMENT, linewidth=0.8, linestyle=":")
     axis.set(title="half-sunk sphere let go", xlabel="t (s)", ylabel="height over rest / radius")
@@ -30,7 +23,7 @@ def draw_heave(axis, heaves):
 
 
 def floating(results, folder):
-    drafts, heaves = curves(results, "draft"), curves(results, "heave")
+    drafts, heaves = (results.curves(CASE, name, DEFAULT_SOLVER) for name in ("draft", "heave"))
     panels = [(draw_drafts, drafts), (draw_heave, heaves)]
     panels = [(draw, data) for draw, data in panels if data]
     if not panels:

@@ -78,8 +78,11 @@ def folded(title, body):
 
 
 def draw(results, case, folder):
-    """The case's plots; none where a run that broke down left no series for them."""
-    function = next(getattr(module, case) for module in (plots, paper_figures, wind_figures, body_figures, oil_figures) if hasattr(module, case))
+    """The plots of a case that has some; none where a run that broke down left no series for them."""
+    modules = (plots, paper_figures, wind_figures, body_figures, oil_figures)
+    function = next((getattr(module, case) for module in modules if hasattr(module, case)), None)
+    if function is None:
+        return []
     try:
         return function(results, folder)
     except (KeyError, TypeError, IndexError, ValueError):

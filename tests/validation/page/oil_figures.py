@@ -4,13 +4,6 @@ from results import DEFAULT_SOLVER
 from style import EXPERIMENT, colour, new_figure, save, shade
 
 
-def curves(results, case, name):
-    """(label, solver, series) of every run that left a series of that name."""
-    found = [(setup.replace(";", ","), solver, results.series(case, name, setup, solver))
-             for setup in results.setups(case) for solver in results.solvers(case, setup)]
-    return [curve for curve in found if curve[2]]
-
-
 def interface_density(results, folder):
     setups = ["support 2 d", "support 3 d", "support 4 d"]
     figure, axes = new_figure(len(setups), sharey=True)
@@ -25,20 +18,8 @@ def interface_density(results, folder):
     return [(save(figure, folder, "interface_density"), "The paper's figure 1: two liquids that meet at x = 0.")]
 
 
-def oil_at_rest(results, folder):
-    return []
-
-
-def oil_drop(results, folder):
-    return []
-
-
-def oil_spill(results, folder):
-    return []
-
-
 def rayleigh_taylor(results, folder):
-    grows, swings = curves(results, "rayleigh_taylor", "growth"), curves(results, "rayleigh_taylor", "swing")
+    grows, swings = results.curves("rayleigh_taylor", "growth"), results.curves("rayleigh_taylor", "swing")
     figure, axes = new_figure(2)
     for k, (label, solver, series) in enumerate(grows):
         axes[0][0].semilogy(series["t"], series["ka"], color=colour(solver), linewidth=0.8 + 0.5 * k % 3,
@@ -58,7 +39,7 @@ def rayleigh_taylor(results, folder):
 def lock_exchange(results, folder):
     figure, axes = new_figure(2, sharey=True)
     for axis, key in zip(axes[0], ("oil", "water")):
-        for label, solver, series in curves(results, "lock_exchange", "fronts"):
+        for label, solver, series in results.curves("lock_exchange", "fronts"):
             axis.plot(series["t"], series[key], color=colour(solver), linewidth=0.9, label=f"{solver}, {label}")
         axis.plot([0, 5], [0, 0.477 * 5], color=EXPERIMENT, linewidth=0.8, linestyle=":", label="0.477")
         axis.set(title=f"front of the {key}", xlabel="t √(g'/H)")
@@ -69,7 +50,7 @@ def lock_exchange(results, folder):
 
 def oil_slump(results, folder):
     figure, axes = new_figure(1)
-    found = curves(results, "oil_slump", "spread")
+    found = results.curves("oil_slump", "spread")
     for k, (label, solver, series) in enumerate(found):
         axes[0][0].plot(series["t"], series["length"], color=shade(k, len(found)), label=f"{solver}, {label}")
     axes[0][0].set(xlabel="t (s)", ylabel="length of 99 % of the oil (m)")

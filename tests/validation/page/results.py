@@ -97,3 +97,10 @@ class Results:
         if not rows:
             return None
         return {key: [number(row[key]) for row in rows] for key in rows[0]}
+
+    def curves(self, case, name, solver=None):
+        """(label, solver, series) of every run, or every one of that solver, that left a series of that name."""
+        found = [(setup.replace(";", ","), run_by, self.series(case, name, setup, run_by))
+                 for setup in self.setups(case, solver) for run_by in self.solvers(case, setup)
+                 if solver in (None, run_by)]
+        return [curve for curve in found if curve[2]]

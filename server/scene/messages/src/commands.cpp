@@ -112,14 +112,12 @@ void write(const SetEffort& command, proto::v1::TimedCommand& message) {
   if (!command.reason.empty()) out.set_reason(command.reason);
 }
 
-Command read_probe(const FieldReader& reader, const CommandBasis&) { return read_set_probe(reader); }
-Command read_no_probe(const FieldReader& reader, const CommandBasis&) { return read_remove_probe(reader); }
 void write(const SetProbe& command, proto::v1::TimedCommand& message) { write_probe(command, message); }
 void write(const RemoveProbe& command, proto::v1::TimedCommand& message) { write_probe(command, message); }
 
-/// The commands that concern oil build on nothing.
-template <OilCommand (*read)(const FieldReader&)>
-Command read_oil(const FieldReader& reader, const CommandBasis&) {
+/// The commands that concern probes and oil build on nothing.
+template <auto read>
+Command read_alone(const FieldReader& reader, const CommandBasis&) {
   return read(reader);
 }
 void write(const OilCommand& command, proto::v1::TimedCommand& message) { write_oil(command, message); }
@@ -141,15 +139,15 @@ constexpr std::array kCommandFields{
     CommandField{"set_current", read_set_current},
     CommandField{"clear_current", read_clear_current},
     CommandField{"pause", read_pause},
-    CommandField{"release_oil", read_oil<read_release_oil>},
-    CommandField{"stop_release", read_oil<read_stop_release>},
-    CommandField{"spill_oil", read_oil<read_spill_oil>},
-    CommandField{"set_boom", read_oil<read_set_boom>},
-    CommandField{"remove_boom", read_oil<read_remove_boom>},
-    CommandField{"set_skimmer", read_oil<read_set_skimmer>},
-    CommandField{"remove_skimmer", read_oil<read_remove_skimmer>},
-    CommandField{"set_probe", read_probe},
-    CommandField{"remove_probe", read_no_probe},
+    CommandField{"release_oil", read_alone<read_release_oil>},
+    CommandField{"stop_release", read_alone<read_stop_release>},
+    CommandField{"spill_oil", read_alone<read_spill_oil>},
+    CommandField{"set_boom", read_alone<read_set_boom>},
+    CommandField{"remove_boom", read_alone<read_remove_boom>},
+    CommandField{"set_skimmer", read_alone<read_set_skimmer>},
+    CommandField{"remove_skimmer", read_alone<read_remove_skimmer>},
+    CommandField{"set_probe", read_alone<read_set_probe>},
+    CommandField{"remove_probe", read_alone<read_remove_probe>},
     CommandField{"resume", read_resume, Allowed::kNotTimed},
     CommandField{"step", read_step, Allowed::kNotTimed},
     CommandField{"set_effort", read_set_effort, Allowed::kLogOnly},

@@ -21,9 +21,7 @@ SetProbe read_set_probe(const FieldReader& reader) {
     reader.read("position", {-1e6, 1e6, "m"}, probe.position);
     probe.at_surface = probe.body == 0 && !reader.child("position").has("z");
   }
-  bool at_surface = probe.at_surface;
-  reader.read("at_surface", at_surface);
-  probe.at_surface = at_surface;
+  reader.read("at_surface", probe.at_surface);
   return {probe};
 }
 

@@ -28,8 +28,6 @@ class Probes {
                                                const Eigen::Vector3d& origin, const std::optional<Current>& current,
                                                double time) const;
 
-  [[nodiscard]] std::size_t count() const { return probes_.size(); }
-
  private:
   Box tank_;
   std::map<std::uint32_t, ProbeSettings> probes_;

@@ -186,7 +186,7 @@ struct FarSeaSettings {
 };
 
 /// In spacings. Water lies in layers along flat faces and stands further off curved ones: calibrated on the drafts of
-/// free boxes, and on the buoyancy of held spheres and a ship's hull (1.05 to 1.07 of it with the boxes' value).
+/// free boxes, and on the buoyancy of held spheres and a ship's hull (1.04 to 1.07 of it with the boxes' value).
 [[nodiscard]] inline double default_sample_inset(const BodySettings& body) {
   return body.primitive && std::holds_alternative<BoxShape>(*body.primitive) ? 0.53 : 0.61;
 }
