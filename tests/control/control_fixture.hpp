@@ -162,10 +162,11 @@ class ControlTest : public testing::Test {
     return place.z() > 0.0 ? Eigen::Vector3d(place.x(), place.y(), 0.5) : Eigen::Vector3d::Zero();
   }
 
-  ServerStatus status_;                 // set before the server starts
-  std::optional<std::string> refusal_;  // likewise
-  bool throws_ = false;                 // likewise
-  double now_ = 0.0;                    // likewise: s, the present simulated time
+  ServerStatus status_;                                                    // set before the server starts
+  CommandSite site_{{{0, 0, 0}, {60, 40, 16}}, {1, 2}, OilModel::kSlick};  // likewise
+  std::optional<std::string> refusal_;                                     // likewise
+  bool throws_ = false;                                                    // likewise
+  double now_ = 0.0;                                                       // likewise: s, the present simulated time
 
  private:
   ControlHooks hooks() {
@@ -192,6 +193,7 @@ class ControlTest : public testing::Test {
     };
     hooks.scheduled = [this] { return scheduled(); };
     hooks.wind_before = [this](std::optional<double>) { return last_wind_set(); };
+    hooks.find_misfit = [this](const Command& command, std::optional<double>) { return find_misfit(command, site_); };
     hooks.status = [this] { return status_; };
     hooks.read_air = [this](const std::vector<Eigen::Vector3d>& position) {
       if (throws_) throw std::runtime_error("broken");

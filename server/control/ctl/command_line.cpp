@@ -20,6 +20,11 @@ constexpr const char* kExamples = R"(Examples:
   pelagos-ctl wind --off --at 600                      calm, 600 s into the simulation
   pelagos-ctl wind-at 12 -4 10                         what an anemometer there would read
   pelagos-ctl current --speed 1.5 --to 90 --ramp 60    1.5 m/s, setting to the east
+  pelagos-ctl release hose --from 12 20 8 --rate 60 --duration 30   60 m^3/h of oil for half a minute
+  pelagos-ctl spill 12 20 --volume 2 --radius 3        2 m^3 of oil at once
+  pelagos-ctl boom north 34 8 40 20 34 32 --draft 0.6  a barrier along three points
+  pelagos-ctl skimmer rig 37.5 20 --rate 30            takes oil from there; rig --remove ends it
+  pelagos-ctl probe 1 30 5                             measures the waves there
   pelagos-ctl schedule; pelagos-ctl cancel 3           what waits for its time; not that
   pelagos-ctl pause; pelagos-ctl step 10; pelagos-ctl resume
   pelagos-ctl events --count 5                         the next five events
@@ -120,8 +125,14 @@ CommandLine::CommandLine() {
   add_commands();
   add_wind_options();
   add_current_options();
-  for (CLI::App* timed : {wind, current, pause, command})
-    timed->add_option("--at", options.at, "Not now but at this simulated time, s");
+  response.add_to(app);
+  for (CLI::App* one : timed()) one->add_option("--at", options.at, "Not now but at this simulated time, s");
+}
+
+std::vector<CLI::App*> CommandLine::timed() const {
+  std::vector<CLI::App*> all{wind, current, pause, command};
+  for (CLI::App* one : response.all()) all.push_back(one);
+  return all;
 }
 
 void CommandLine::add_general_options() {
@@ -207,7 +218,7 @@ std::string usage_fault(const CommandLine& line) {
   if (line.options.places.size() % 3 != 0)
     return "wind-at: " + std::to_string(line.options.places.size()) +
            " numbers are given; allowed: X Y Z of each place; see pelagos-ctl wind-at --help";
-  return "";
+  return line.response.usage_fault();
 }
 
 RequestResult to_request(const CommandLine& line) {
@@ -228,7 +239,8 @@ RequestResult to_request(const CommandLine& line) {
   if (line.current->parsed() && options.current.off) command.mutable_clear_current();
   if (line.current->parsed() && !options.current.off) fill_current(line, *command.mutable_set_current());
   if (line.command->parsed()) result.fault = read_command_text(options.command, command);
-  for (const CLI::App* timed : {line.wind, line.current, line.pause, line.command})
+  line.response.fill(command);
+  for (const CLI::App* timed : line.timed())
     if (timed->parsed() && given(*timed, "--at")) command.set_at(options.at);
   if (command.command_case() != TimedCommand::COMMAND_NOT_SET || line.command->parsed())
     put(std::move(command), request);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "control.pb.h"
+#include "response_commands.hpp"
 
 namespace pelagos {
 
@@ -43,7 +44,8 @@ struct CtlOptions {
 /// What was asked for, read by the functions below from the parsed command line.
 struct CommandLine {
   CLI::App app{
-      "Asks a running pelagos-server for its status, and commands it, at once or at a time: wind, current, pause."};
+      "Asks a running pelagos-server for its status, and commands it, at once or at a time: wind, current, oil, "
+      "pause."};
   CtlOptions options;
   CLI::App* status = nullptr;
   CLI::App* wind = nullptr;
@@ -56,8 +58,11 @@ struct CommandLine {
   CLI::App* command = nullptr;
   CLI::App* schedule = nullptr;
   CLI::App* cancel = nullptr;
+  ResponseCommands response;
 
   CommandLine();
+  /// Those that may be given for a time.
+  [[nodiscard]] std::vector<CLI::App*> timed() const;
 
  private:
   void add_general_options();

@@ -49,19 +49,43 @@ std::string format(const char* pattern, auto... values) {
   return text.data();
 }
 
+/// kg in the unit that suits it.
+std::string mass(double kilograms) {
+  if (kilograms != 0.0 && kilograms < 1.0) return format("%.3g g", 1e3 * kilograms);
+  return kilograms < 1e4 ? format("%.4g kg", kilograms) : format("%.5g t", 1e-3 * kilograms);
+}
+
+/// m in the unit that suits it.
+std::string thickness(double metres) {
+  return metres < 1e-3 ? format("%.3g um", 1e6 * metres) : format("%.3g mm", 1e3 * metres);
+}
+
+std::string describe_release(const proto::v1::ReleaseReport& release) {
+  const std::string text = "release " + release.name();
+  if (release.wait() == proto::v1::ReleaseReport::FLOWS) return text + ": flows";
+  const char* why = release.wait() == proto::v1::ReleaseReport::NO_WATER ? "no water near it"
+                    : release.wait() == proto::v1::ReleaseReport::FULL   ? "as many particles are oil as may be"
+                                                                         : "its body has left the patch";
+  return text + format(": waits for %.3g s, %s, ", release.waiting(), why) + mass(release.pending()) + " held back";
+}
+
+std::string describe_skimmer(const proto::v1::SkimmerReport& skimmer) {
+  return "skimmer " + skimmer.name() + ": " + mass(skimmer.recovered()) +
+         format(", now %.3g m^3/h%s", skimmer.present_rate(), skimmer.dry() ? ", dry" : "");
+}
+
 std::string describe_oil(const proto::v1::OilStatus& oil) {
-  std::string text = format(
-      "released %.6g kg: afloat %.6g, contained %.6g, submerged %.6g, recovered %.6g, "
-      "evaporated %.6g, left the patch %.6g",
-      oil.released(), oil.afloat(), oil.contained(), oil.submerged(), oil.recovered(), oil.evaporated(),
-      oil.left_patch());
+  const std::string next = "\n           ";
+  std::string text = mass(oil.released()) + " released: " + mass(oil.afloat()) + " afloat, " + mass(oil.contained()) +
+                     " contained, " + mass(oil.submerged()) + " submerged, " + mass(oil.recovered()) + " recovered, " +
+                     mass(oil.evaporated()) + " evaporated, " + mass(oil.left_patch()) + " left the patch";
   if (oil.elements() > 0)
-    text += format("\n           slick of %.4g m^2, mean %.3g mm, up to %.3g mm thick", oil.area(),
-                   1e3 * oil.mean_thickness(), 1e3 * oil.largest_thickness());
-  if (oil.held_back() > 0.0) text += format("\n           %.4g kg could not flow out", oil.held_back());
-  for (const auto& skimmer : oil.skimmer())
-    text += format("\n           skimmer %s: %.6g kg, now %.3g m^3/h%s", skimmer.name().c_str(), skimmer.recovered(),
-                   skimmer.present_rate(), skimmer.dry() ? ", dry" : "");
+    text += next + format("slick of %.4g m^2, ", oil.area()) + thickness(oil.mean_thickness()) +
+            " thick in the mean, at most " + thickness(oil.largest_thickness()) +
+            format(", %.3g m^3 of water in it", oil.emulsion_water());
+  if (oil.held_back() > 0.0) text += next + mass(oil.held_back()) + " could not flow out";
+  for (const auto& release : oil.release()) text += next + describe_release(release);
+  for (const auto& skimmer : oil.skimmer()) text += next + describe_skimmer(skimmer);
   return text;
 }
 
