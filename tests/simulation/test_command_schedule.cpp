@@ -171,5 +171,22 @@ TEST(Replay, OfACutOffLogDoesNotEnd) {
   EXPECT_FALSE(Replay(log).ended(1'000'000));
 }
 
+TEST(CommandSchedule, KnowsWhatWillBearANameAtATime) {
+  GivenNames at_start;
+  at_start.probes.insert(4);
+  CommandQueue queue({{10.0, OilCommand{SetBoom{"scene's", {}, 0.5, 0.36}}}}, std::nullopt, at_start);
+  queue.submit(OilCommand{SetBoom{"now", {}, 0.5, 0.36}}, "a");
+  queue.schedule(OilCommand{RemoveBoom{"scene's"}}, 20.0, "a");
+  const auto booms = [&](std::optional<double> at) { return queue.names_before(at).booms; };
+  EXPECT_THAT(booms(std::nullopt), testing::ElementsAre("now"));
+  EXPECT_THAT(booms(10.0), testing::ElementsAre("now", "scene's"));
+  EXPECT_THAT(booms(20.0), testing::ElementsAre("now"));
+  sources(queue, 15.0);
+  EXPECT_THAT(booms(std::nullopt), testing::ElementsAre("now", "scene's"));
+  sources(queue, 25.0);
+  EXPECT_THAT(booms(std::nullopt), testing::ElementsAre("now"));
+  EXPECT_TRUE(queue.names_before(std::nullopt).probes.contains(4));
+}
+
 }  // namespace
 }  // namespace pelagos

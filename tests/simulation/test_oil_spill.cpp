@@ -145,15 +145,15 @@ TEST(OilSpill, RefusesWhatCannotBe) {
   World world = make_world(oily_basin(OilModel::kParticles));
   ReleaseOil wrong = leak();
   wrong.from.x() = 7.0;
-  EXPECT_THAT(world.apply(OilCommand{wrong}), Optional(AllOf(HasSubstr("from (7, 2) m lies outside the patch"),
-                                                             HasSubstr("allowed: (0, 0) to (5, 4)"))));
+  EXPECT_THAT(world.apply(OilCommand{wrong}), Optional(AllOf(HasSubstr("from: (7, 2, 0.5) m is outside the tank"),
+                                                             HasSubstr("allowed: (0, 0, 0) to (5, 4, 3)"))));
   wrong = leak();
   wrong.body = 9;
-  EXPECT_THAT(world.apply(OilCommand{wrong}), Optional(HasSubstr("body 9 is not in the scene")));
+  EXPECT_THAT(world.apply(OilCommand{wrong}), Optional(HasSubstr("body: the scene has no body 9")));
   wrong = leak();
   wrong.duration = 1000.0;
   EXPECT_THAT(world.apply(OilCommand{wrong}), Optional(HasSubstr("oil.most_particles 285")));
-  EXPECT_THAT(world.apply(OilCommand{StopRelease{"no"}}), Optional(HasSubstr("no source of the name \"no\"")));
+  EXPECT_THAT(world.apply(OilCommand{StopRelease{"no"}}), Optional(HasSubstr("no source \"no\" is running")));
   EXPECT_THAT(world.apply(OilCommand{SetBoom{"b", {{1, 1}, {2, 2}}, 0.5, 0.36}}),
               Optional(HasSubstr("allowed with oil.model SLICK or BOTH")));
   EXPECT_THAT(world.apply(OilCommand{SpillOil{{1, 1}, 1.0, 1.0}}), Optional(HasSubstr("slick layer")));

@@ -19,8 +19,9 @@ void follow_pause(const Command& command, bool& paused) {
 
 }  // namespace
 
-CommandQueue::CommandQueue(const std::vector<SceneEvent>& events, const std::optional<WindSettings>& wind)
-    : wind_(wind) {
+CommandQueue::CommandQueue(const std::vector<SceneEvent>& events, const std::optional<WindSettings>& wind,
+                           GivenNames given)
+    : wind_(wind), given_(std::move(given)) {
   for (const SceneEvent& event : events) {
     const std::uint64_t id = ++last_id_;
     insert({id, event.at, event.command, "scene event " + std::to_string(id)});
@@ -90,6 +91,15 @@ std::optional<WindSettings> CommandQueue::wind_before(std::optional<double> at) 
   return wind;
 }
 
+GivenNames CommandQueue::names_before(std::optional<double> at) const {
+  const std::scoped_lock lock(mutex_);
+  GivenNames given = given_;
+  for (const QueuedCommand& queued : commands_) given.follow(queued.command);
+  for (const ScheduledCommand& waiting : scheduled_)
+    if (at && waiting.at <= *at) given.follow(waiting.command);
+  return given;
+}
+
 void CommandQueue::take(double now, std::vector<QueuedCommand>& out) {
   out.clear();
   const std::scoped_lock lock(mutex_);
@@ -106,7 +116,10 @@ void CommandQueue::take(double now, std::vector<QueuedCommand>& out) {
     out.push_back(std::move(queued));
   }
   commands_.clear();
-  for (const QueuedCommand& queued : out) follow_wind(queued.command, wind_);
+  for (const QueuedCommand& queued : out) {
+    follow_wind(queued.command, wind_);
+    given_.follow(queued.command);
+  }
 }
 
 void CommandQueue::take_changes(std::vector<ScheduleChange>& out) {

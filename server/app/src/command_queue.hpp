@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "messages/given_names.hpp"
 #include "values/command.hpp"
 
 namespace pelagos {
@@ -30,9 +31,9 @@ class CommandQueue {
   static constexpr std::size_t kMostScheduled = 1000;
 
   CommandQueue() = default;
-  /// With the events of a scene, and the wind that it starts with. Sources are "scene event 1", "scene event 2", ... in
-  /// the order given.
-  CommandQueue(const std::vector<SceneEvent>& events, const std::optional<WindSettings>& wind);
+  /// With the events of a scene, the wind that it starts with and what bears names in it. Sources are "scene event 1",
+  /// "scene event 2", ... in the order given.
+  CommandQueue(const std::vector<SceneEvent>& events, const std::optional<WindSettings>& wind, GivenNames given = {});
 
   /// Takes a command for the next boundary, or says why it cannot be done now.
   std::optional<std::string> submit(const Command& command, const std::string& source);
@@ -56,6 +57,9 @@ class CommandQueue {
   /// wind.
   [[nodiscard]] std::optional<WindSettings> wind_before(std::optional<double> at) const;
 
+  /// What will bear a name then.
+  [[nodiscard]] GivenNames names_before(std::optional<double> at) const;
+
   /// Moves what is to be applied at a boundary at time `now` into `out`: what has fallen due, in order of time and then
   /// as given, and after it what was submitted, in order of arrival. `now` never decreases but after a restored fault.
   void take(double now, std::vector<QueuedCommand>& out);
@@ -71,6 +75,7 @@ class CommandQueue {
   std::vector<ScheduledCommand> scheduled_;  ///< by time, then by id
   std::vector<ScheduleChange> changes_;
   std::optional<WindSettings> wind_;  ///< last set by what was taken
+  GivenNames given_;                  ///< by what was taken
   std::uint64_t last_id_ = 0;
   double now_ = 0.0;
   bool will_pause_ = false;  ///< once all that waits for the next boundary is done

@@ -25,6 +25,12 @@ std::vector<std::uint32_t> driven_bodies(const Scene& scene) {
   return ids;
 }
 
+GivenNames names_in(const Scene& scene) {
+  GivenNames given;
+  for (const ProbeSettings& probe : scene.probes) given.probes.insert(probe.id);
+  return given;
+}
+
 /// The paper's own pulse is such a one; other laws refuse it.
 void warn_of_endless_pulse(const WindSettings& wind) {
   if (!wind.pulse || wind.law != WindLaw::kPaper || !never_closes(*wind.pulse)) return;
@@ -52,7 +58,8 @@ const char* describe_health(PoseHealth health) {
 Server::Server(const ServerOptions& options, const std::atomic<bool>& stop)
     : options_(options),
       stop_(stop),
-      commands_(options.replay ? std::vector<SceneEvent>{} : options.scene.events, options.scene.wind),
+      commands_(options.replay ? std::vector<SceneEvent>{} : options.scene.events, options.scene.wind,
+                names_in(options.scene)),
       window_(monotonic_ns()) {
   status_.scene = options_.scene.name;
   open_links();
@@ -77,6 +84,10 @@ ControlHooks Server::control_hooks() {
   hooks.cancel = [this](std::uint64_t id, const std::string& source) { return commands_.cancel(id, source); };
   hooks.scheduled = [this] { return commands_.scheduled(); };
   hooks.wind_before = [this](std::optional<double> at) { return commands_.wind_before(at); };
+  hooks.find_misfit = [this, site = command_site(options_.scene)](const Command& c, std::optional<double> at) {
+    const auto misfit = find_misfit(c, site);
+    return misfit ? misfit : find_unknown_name(c, commands_.names_before(at));
+  };
   hooks.status = [this] { return current_status(); };
   hooks.read_air = [this](const std::vector<Eigen::Vector3d>& position) { return read_air(position); };
   hooks.log = [](LogLevel level, std::string_view text) {
@@ -254,6 +265,7 @@ void Server::publish_frame(StepReport& report) {
   }
   watch_poses(snapshot->bodies);
   watch_places(snapshot->bodies);
+  if (snapshot->oil) watch_oil(snapshot->oil->budget);
   publisher_->submit(std::move(snapshot));
 }
 
@@ -349,6 +361,13 @@ void Server::watch_places(const std::vector<BodyState>& states) {
     if (outside) log_warning(where + "has left the tank: it meets no water there");
     announce(outside ? "body_outside" : "body_inside", "server",
              where + (outside ? "has left the tank" : "is inside the tank again"));
+  }
+}
+
+void Server::watch_oil(const OilBudget& oil) {
+  for (const CommandNews& news : spill_watch_.observe(oil, world_->time())) {
+    if (news.kind == "release_waits" || news.kind == "skimmer_dry") log_warning(news.text);
+    announce(news.kind, "server", news.text);
   }
 }
 

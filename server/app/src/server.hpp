@@ -15,6 +15,7 @@
 #include "replay.hpp"
 #include "scene/command_log.hpp"
 #include "simulation/world.hpp"
+#include "spill_watch.hpp"
 #include "status_window.hpp"
 #include "transport/frame_publisher.hpp"
 #include "transport/pose_receiver.hpp"
@@ -100,6 +101,7 @@ class Server {
   void log_status(const ServerStatus& status);
   void watch_poses(const std::vector<BodyState>& states);
   void watch_places(const std::vector<BodyState>& states);
+  void watch_oil(const OilBudget& oil);
   void announce(const std::string& kind, const std::string& source, const std::string& text);
   [[nodiscard]] bool out_of_time() const;
   [[nodiscard]] bool replay_ended() const { return replay_ && replay_->ended(world_->step()); }
@@ -119,6 +121,7 @@ class Server {
   StatusWindow window_;
   ConvergenceWatch convergence_;
   std::optional<Governor> governor_;
+  SpillWatch spill_watch_;
 
   mutable std::mutex status_mutex_;
   ServerStatus status_;     ///< shared with the control link

@@ -14,6 +14,20 @@ void fill(const Eigen::Vector3d& from, proto::v1::Vector& to) {
   to.set_z(from.z());
 }
 
+proto::v1::ReleaseReport::Wait wait_of(SourceWait wait) {
+  switch (wait) {
+    case SourceWait::kNoWater:
+      return proto::v1::ReleaseReport::NO_WATER;
+    case SourceWait::kFull:
+      return proto::v1::ReleaseReport::FULL;
+    case SourceWait::kOutside:
+      return proto::v1::ReleaseReport::OUTSIDE;
+    case SourceWait::kNone:
+      break;
+  }
+  return proto::v1::ReleaseReport::FLOWS;
+}
+
 void fill(const OilBudget& from, proto::v1::OilStatus& to) {
   to.set_released(to_kilograms(from.ledger.released));
   to.set_afloat(to_kilograms(from.ledger.afloat));
@@ -30,6 +44,13 @@ void fill(const OilBudget& from, proto::v1::OilStatus& to) {
   to.set_emulsion_water(from.emulsion_water);
   to.set_displaced_water(from.displaced_water);
   to.set_held_back(from.held_back);
+  for (const SourceStatus& source : from.sources) {
+    proto::v1::ReleaseReport& out = *to.add_release();
+    out.set_name(source.name);
+    out.set_wait(wait_of(source.wait));
+    out.set_waiting(source.waiting);
+    out.set_pending(source.pending);
+  }
   for (const SkimmerStatus& skimmer : from.skimmers) {
     proto::v1::SkimmerReport& out = *to.add_skimmer();
     out.set_name(skimmer.name);

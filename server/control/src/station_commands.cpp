@@ -32,6 +32,9 @@ void Station::answer_timed_command(const Request& request) {
   const auto place = timed ? CommandPlace::kTimed : CommandPlace::kNow;
   const std::optional<Command> command = read_command(entry, "command", place, basis);
   if (!command && faults.empty()) entry.fault("", "holds no command that this server knows");
+  if (command && faults.empty())
+    if (const auto misfit = context_.hooks.find_misfit(*command, at))
+      entry.child(entry.which("command").c_str()).fault(misfit->field.c_str(), misfit->what);
   if (!faults.empty()) return refuse_values(request.id(), faults);
   if (timed) return schedule(request.id(), *command, time);
   submit(request.id(), *command);

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "messages/commands.hpp"
+#include "messages/given_names.hpp"
 #include "validate_scene.hpp"
 
 namespace pelagos {
@@ -27,15 +28,28 @@ void read_time(const FieldReader& entry, SceneEvent& event) {
     if (entry.has(field)) entry.fault(field, "is for command logs; allowed in a scene: at and a command");
 }
 
-void read_event(const FieldReader& entry, const Basis& basis, CommandBasis& last, SceneEvent& event) {
+/// Whether the command fits what the scene has, and what the events before it have set.
+void check_fit(const FieldReader& entry, const std::optional<CommandSite>& site, const Command& command,
+               GivenNames& given) {
+  std::optional<Misfit> misfit;
+  if (site) misfit = find_misfit(command, *site);
+  if (!misfit) misfit = find_unknown_name(command, given);
+  if (misfit) entry.child(entry.which("command").c_str()).fault(misfit->field.c_str(), misfit->what);
+  given.follow(command);
+}
+
+void read_event(const FieldReader& entry, const EventSurroundings& around, CommandBasis& last, GivenNames& given,
+                SceneEvent& event) {
   if (entry.which("command").empty())
     return entry.fault("", "says when but not what; allowed: one command beside `at`, e.g. set_wind { ... }");
+  const std::size_t faults = entry.fault_count();
   const std::optional<Command> command = read_command(entry, "command", CommandPlace::kTimed, last);
   if (!command) return;
   event.command = *command;
+  if (entry.fault_count() == faults) check_fit(entry, around.site, *command, given);
   if (const auto* set = std::get_if<SetWind>(&event.command)) {
     last.wind = set->wind;
-    if (basis.gravity && *basis.gravity == 0.0)
+    if (around.weightless)
       entry.fault("set_wind", "blows without gravity; allowed: gravity above 0 (the push scales with sqrt(d/g))");
   }
   if (std::holds_alternative<ClearWind>(event.command)) last.wind.reset();
@@ -43,8 +57,7 @@ void read_event(const FieldReader& entry, const Basis& basis, CommandBasis& last
 
 }  // namespace
 
-std::vector<SceneEvent> validate_events(const FieldReader& scene_reader, const Basis& basis,
-                                        const std::optional<WindSettings>& wind) {
+std::vector<SceneEvent> validate_events(const FieldReader& scene_reader, const EventSurroundings& around) {
   const std::vector<FieldReader> entries = scene_reader.children("event");
   if (entries.size() > kMostEvents) {
     scene_reader.fault("event", "has " + format_count(static_cast<double>(entries.size())) +
@@ -53,8 +66,10 @@ std::vector<SceneEvent> validate_events(const FieldReader& scene_reader, const B
   }
   std::vector<SceneEvent> events(entries.size());
   for (std::size_t i = 0; i < entries.size(); ++i) read_time(entries[i], events[i]);
-  CommandBasis last{wind};
-  for (const std::size_t i : order_by_time(events)) read_event(entries[i], basis, last, events[i]);
+  CommandBasis last{around.wind};
+  GivenNames given;
+  for (const std::uint32_t id : around.probes) given.probes.insert(id);
+  for (const std::size_t i : order_by_time(events)) read_event(entries[i], around, last, given, events[i]);
   return events;
 }
 

@@ -141,20 +141,7 @@ void read_wind_of_scene(const FieldReader& reader, const Basis& basis, Scene& sc
   }
 }
 
-/// What the world would refuse.
-void check_probe(const FieldReader& entry, const ProbeSettings& probe, const Scene& scene) {
-  const Eigen::Vector3d& x = probe.position;
-  const auto carries = [&](const BodySettings& body) { return body.id == probe.body; };
-  if (probe.body != 0) {
-    if (std::none_of(scene.bodies.begin(), scene.bodies.end(), carries))
-      entry.fault("body", "the scene has no body " + std::to_string(probe.body));
-  } else if ((x.array() < scene.tank.min.array()).head<2>().any() ||
-             (x.array() > scene.tank.max.array()).head<2>().any()) {
-    entry.fault("position", "(" + format_number(x.x()) + ", " + format_number(x.y()) + ") m is outside the tank");
-  }
-}
-
-std::vector<ProbeSettings> read_probes(const FieldReader& reader, const Scene& scene) {
+std::vector<ProbeSettings> read_probes(const FieldReader& reader, const std::optional<CommandSite>& site) {
   std::vector<ProbeSettings> probes;
   const std::vector<FieldReader> entries = reader.children("probe");
   if (entries.size() > kMostProbes) {
@@ -163,11 +150,13 @@ std::vector<ProbeSettings> read_probes(const FieldReader& reader, const Scene& s
     return probes;
   }
   for (const FieldReader& entry : entries) {
+    const std::size_t faults = entry.fault_count();
     const ProbeSettings probe = read_set_probe(entry).probe;
     const bool taken =
         std::any_of(probes.begin(), probes.end(), [&](const ProbeSettings& other) { return other.id == probe.id; });
     if (taken && probe.id != 0) entry.fault("id", std::to_string(probe.id) + " is taken by another probe");
-    check_probe(entry, probe, scene);
+    const auto misfit = site && entry.fault_count() == faults ? find_misfit(SetProbe{probe}, *site) : std::nullopt;
+    if (misfit) entry.fault(misfit->field.c_str(), misfit->what);
     probes.push_back(probe);
   }
   return probes;
@@ -231,10 +220,13 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
 
   read_wind_of_scene(reader, basis, scene);
   if (reader.has("current")) scene.current = read_current(reader.child("current"));
-  scene.events = validate_events(reader, basis, scene.wind);
   scene.bodies = validate_bodies(reader, tank, source);
   check_bodies_against_solver(reader, scene);
-  scene.probes = read_probes(reader, scene);
+  const auto site = tank ? std::optional(command_site(scene)) : std::nullopt;
+  scene.probes = read_probes(reader, site);
+  EventSurroundings around{scene.wind, site, {}, basis.gravity && *basis.gravity == 0.0};
+  for (const ProbeSettings& probe : scene.probes) around.probes.push_back(probe.id);
+  scene.events = validate_events(reader, around);
   read_far_sea(reader, scene.far_sea);
   read_origin(reader, scene.origin);
   read_surface(reader, basis, scene.surface);

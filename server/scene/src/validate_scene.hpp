@@ -5,6 +5,7 @@
 
 #include "messages/field_reader.hpp"
 #include "scene/read_scene.hpp"
+#include "values/command_site.hpp"
 
 namespace pelagos {
 
@@ -60,9 +61,16 @@ class BlockReader {
 /// What a body's surface is made of: mesh_file and what goes with it, or shape. Its drive must be read already.
 void read_surface_of_body(const FieldReader& body_reader, const SceneSource& source, BodySettings& body);
 
-/// The `event` entries, in their order; each builds on the scene's wind and the events before its time.
-[[nodiscard]] std::vector<SceneEvent> validate_events(const FieldReader& scene_reader, const Basis& basis,
-                                                      const std::optional<WindSettings>& wind);
+/// What events build on and have to fit.
+struct EventSurroundings {
+  std::optional<WindSettings> wind;   ///< the scene's
+  std::optional<CommandSite> site;    ///< none where the tank is faulty
+  std::vector<std::uint32_t> probes;  ///< ids
+  bool weightless = false;            ///< no wind can blow
+};
+
+/// The `event` entries, in their order; each builds on the scene and the events before its time.
+[[nodiscard]] std::vector<SceneEvent> validate_events(const FieldReader& scene_reader, const EventSurroundings& around);
 
 /// The `solver` entry.
 [[nodiscard]] SolverSettings validate_solver(const FieldReader& scene_reader);

@@ -103,8 +103,10 @@ std::vector<Float4> Bodies::static_samples(const Eigen::Vector3d& origin) const 
 }
 
 bool Bodies::covers(const Eigen::Vector3d& point, double clearance) const {
+  constexpr double kLeastLimit = 1e-6;  // m: within a limit of 0 every distance is 0, inside too
+  const double limit = std::max(2.0 * clearance, kLeastLimit);
   return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
-    return body.shape.signed_distance(to_body(body.state, point), 2.0 * clearance) < clearance;
+    return body.shape.signed_distance(to_body(body.state, point), limit) < clearance;
   });
 }
 
@@ -231,12 +233,6 @@ std::optional<BodyState> Bodies::state_of(std::uint32_t id) const {
   for (const Body& body : bodies_)
     if (body.settings.id == id) return body.state;
   return std::nullopt;
-}
-
-std::string Bodies::list_of_ids() const {
-  std::string list;
-  for (const Body& body : bodies_) list += (list.empty() ? "" : ", ") + std::to_string(body.settings.id);
-  return list.empty() ? "none, it has no bodies" : list;
 }
 
 std::vector<BodyState> Bodies::states() const {

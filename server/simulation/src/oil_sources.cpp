@@ -43,14 +43,22 @@ void OilSpill::run_sources(double dt, const SpillSea& sea, FluidState& fluid) {
     source.left -= dt;
     source.pending += source.settings.rate / 3600.0 * flowing;
     const bool over = source.left <= 0.0;
-    if (model_ != OilModel::kSlick) make_particles(source, sea, fluid);
-    const bool full = model_ == OilModel::kBoth && particles_ >= most_particles_;
-    if (model_ == OilModel::kSlick || ((over || full) && model_ == OilModel::kBoth))
-      if (film_due || over) feed_film(source, sea);
-    if (over) held_back_ += source.pending * oil_density_;
+    SourceStatus& status = source.status;
+    status.wait = bring_out(source, film_due || over, over, sea, fluid);
+    status.waiting = status.wait == SourceWait::kNone ? 0.0 : status.waiting + dt;
+    status.pending = source.pending * oil_density_;
+    if (over) held_back_ += status.pending;
     at = over ? sources_.erase(at) : std::next(at);
   }
   if (film_due) since_film_ = 0.0;
+}
+
+SourceWait OilSpill::bring_out(Source& source, bool film_due, bool over, const SpillSea& sea, FluidState& fluid) {
+  if (model_ != OilModel::kSlick) {
+    const SourceWait wait = make_particles(source, sea, fluid);
+    if (model_ != OilModel::kBoth || !(over || wait == SourceWait::kFull)) return wait;
+  }
+  return film_due ? feed_film(source, sea) : source.status.wait;  // as it was when last tried
 }
 
 Eigen::Vector3d OilSpill::next_place(Source& source, const SpillSea& sea) const {
@@ -62,22 +70,31 @@ Eigen::Vector3d OilSpill::next_place(Source& source, const SpillSea& sea) const 
   return place;
 }
 
-/// A disc of film where the oil surfaces, right above its source.
-void OilSpill::feed_film(Source& source, const SpillSea& sea) {
+/// A disc of film where the oil surfaces, right above its source. Under a hull it comes out beside it.
+SourceWait OilSpill::feed_film(Source& source, const SpillSea& sea) {
   const double mass = source.pending * oil_density_;
-  if (!(mass >= 1e-6)) return;
+  if (!(mass >= 1e-6)) return SourceWait::kNone;
   const Eigen::Vector3d place = next_place(source, sea);
-  if (!in_patch(place.head<2>()) || layer_.release(mass, place.head<2>(), spacing_)) return;
-  source.pending = 0.0;
+  if (!in_patch(place.head<2>())) return SourceWait::kOutside;
+  if (dry(place, sea)) return SourceWait::kNoWater;
+  if (!layer_.release(mass, place.head<2>(), spacing_)) source.pending = 0.0;
+  return SourceWait::kNone;
 }
 
-void OilSpill::make_particles(Source& source, const SpillSea& sea, FluidState& fluid) {
+bool OilSpill::dry(const Eigen::Vector3d& world, const SpillSea& sea) const {
+  return !surface_.at((world - origin_).head<2>()) && !sea.bodies.covers(world, 0.0);
+}
+
+SourceWait OilSpill::make_particles(Source& source, const SpillSea& sea, FluidState& fluid) {
   const double volume = spacing_ * spacing_ * spacing_;
-  while (source.pending >= volume && particles_ < most_particles_) {
-    if (!turn_to_oil(fluid, next_place(source, sea))) return;  // dry there: the oil waits
+  while (source.pending >= volume) {
+    if (particles_ >= most_particles_) return SourceWait::kFull;
+    const Eigen::Vector3d place = next_place(source, sea);
+    if (!turn_to_oil(fluid, place)) return in_patch(place.head<2>()) ? SourceWait::kNoWater : SourceWait::kOutside;
     source.pending -= volume;
     static_cast<void>(layer_.release_submerged(particle_mass()));
   }
+  return SourceWait::kNone;
 }
 
 bool OilSpill::turn_to_oil(FluidState& fluid, const Eigen::Vector3d& world) {

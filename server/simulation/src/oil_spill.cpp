@@ -60,7 +60,6 @@ OilSpill::OilSpill(const Scene& scene, const FluidState& fluid, const Eigen::Vec
       most_particles_(scene.oil->most_particles),
       layer_(film_settings(scene)),
       fallback_level_(water_level - origin.z()) {
-  for (const BodySettings& body : scene.bodies) bodies_.push_back(body.id);
   const auto& phase = fluid.particles.phase;
   const auto end = phase.begin() + static_cast<std::ptrdiff_t>(std::min(phase.size(), fluid.particles.count));
   particles_ = static_cast<std::uint32_t>(std::count(phase.begin(), end, kOilPhase));
@@ -76,28 +75,11 @@ bool OilSpill::in_patch(const Eigen::Vector2d& place) const {
   return (place.array() >= patch_.min.head<2>().array()).all() && (place.array() <= patch_.max.head<2>().array()).all();
 }
 
-std::optional<std::string> OilSpill::refuse_place(const char* field, const Eigen::Vector2d& place) const {
-  if (in_patch(place)) return std::nullopt;
-  return fmt::format("{} ({:g}, {:g}) m lies outside the patch; allowed: ({:g}, {:g}) to ({:g}, {:g}) m", field,
-                     place.x(), place.y(), patch_.min.x(), patch_.min.y(), patch_.max.x(), patch_.max.y());
-}
-
-std::optional<std::string> OilSpill::refuse_without_film(const char* what) const {
-  if (model_ != OilModel::kParticles) return std::nullopt;
-  return std::string(what) + " works on the slick layer; allowed with oil.model SLICK or BOTH in the scene";
-}
-
 std::optional<std::string> OilSpill::apply(const ReleaseOil& c, const Bodies& hulls) {
-  if (c.body != 0 && std::find(bodies_.begin(), bodies_.end(), c.body) == bodies_.end())
-    return fmt::format("body {} is not in the scene; allowed: 0 (fixed in the world) or a body's id", c.body);
-  if (c.body == 0) {
-    for (const auto& [field, place] : {std::pair{"from", c.from}, {"to", c.to}}) {
-      if (auto refused = refuse_place(field, place.head<2>())) return refused;
-      if (!hulls.empty() && hulls.covers(place, 0.0))
-        return fmt::format("{} ({:g}, {:g}, {:g}) m lies inside a hull; allowed: in the water, or fixed to the body",
-                           field, place.x(), place.y(), place.z());
-    }
-  }
+  for (const auto& [field, place] : {std::pair{"from", c.from}, {"to", c.to}})
+    if (c.body == 0 && !hulls.empty() && hulls.covers(place, 0.0))
+      return fmt::format("{}: ({:g}, {:g}, {:g}) m is inside a hull; allowed: in the water, or fixed to the body",
+                         field, place.x(), place.y(), place.z());
   const double volume = c.rate / 3600.0 * c.duration,
                room = (most_particles_ - std::min(most_particles_, particles_)) * spacing_ * spacing_ * spacing_;
   if (model_ == OilModel::kParticles && std::isfinite(volume) && volume > room)
@@ -106,24 +88,26 @@ std::optional<std::string> OilSpill::apply(const ReleaseOil& c, const Bodies& hu
         "(oil.most_particles {}); allowed: less, a higher bound, or oil.model SLICK or BOTH",
         c.rate, c.duration, volume, room, most_particles_);
   Source& source = sources_[c.name];
-  const double pending = source.pending;
-  source = {c, c.duration, pending, source.made};
+  source.settings = c;
+  source.left = c.duration;
+  source.status = {c.name};
   return std::nullopt;
 }
 
+/// It ends in the next step, which brings out what has flowed so far.
 std::optional<std::string> OilSpill::apply(const StopRelease& c) {
-  if (sources_.erase(c.name) > 0) return std::nullopt;
-  return "no source of the name \"" + c.name + "\" is running";
+  const auto source = sources_.find(c.name);
+  if (source == sources_.end() || source->second.left <= 0.0)
+    return "name: no source \"" + c.name + "\" is running; it may have run out";
+  source->second.left = 0.0;
+  return std::nullopt;
 }
 
 std::optional<std::string> OilSpill::apply(const SpillOil& c) {
-  if (auto refused = refuse_without_film("an instant slick")) return refused;
-  if (auto refused = refuse_place("position", c.position)) return refused;
   return layer_.release(c.volume * oil_density_, c.position, c.radius);
 }
 
 std::optional<std::string> OilSpill::apply(const SetBoom& c) {
-  if (auto refused = refuse_without_film("a boom")) return refused;
   Boom boom;
   boom.line = c.line;
   boom.draft = c.draft;
@@ -134,8 +118,6 @@ std::optional<std::string> OilSpill::apply(const SetBoom& c) {
 std::optional<std::string> OilSpill::apply(const RemoveBoom& c) { return layer_.remove_boom(c.name); }
 
 std::optional<std::string> OilSpill::apply(const SetSkimmer& c) {
-  if (auto refused = refuse_without_film("a skimmer")) return refused;
-  if (auto refused = refuse_place("position", c.position)) return refused;
   return layer_.set_skimmer(c.name, Skimmer{c.position, c.radius, c.rate});
 }
 
@@ -155,6 +137,7 @@ OilBudget OilSpill::budget() const {
   }
   budget.displaced_water = static_cast<double>(displaced_) * water_density_ * spacing_ * spacing_ * spacing_;
   budget.held_back = held_back_;
+  for (const auto& [name, source] : sources_) budget.sources.push_back(source.status);
   for (const auto& [name, skimmer] : layer_.state().skimmers)
     budget.skimmers.push_back({name, skimmer.report.recovered, skimmer.report.present_rate, skimmer.report.dry});
   return budget;

@@ -6,15 +6,7 @@
 
 namespace pelagos {
 
-std::optional<std::string> Probes::set(const ProbeSettings& probe, const Bodies& bodies) {
-  if (probe.body != 0 && !bodies.state_of(probe.body))
-    return fmt::format("the scene has no body {}; allowed: {}", probe.body, bodies.list_of_ids());
-  const Eigen::Vector3d& x = probe.position;
-  const bool inside =
-      (x.array() >= tank_.min.array()).head<2>().all() && (x.array() <= tank_.max.array()).head<2>().all();
-  if (probe.body == 0 && !inside)
-    return fmt::format("({:g}, {:g}) m is outside the tank; allowed: ({:g}, {:g}) to ({:g}, {:g}) m", x.x(), x.y(),
-                       tank_.min.x(), tank_.min.y(), tank_.max.x(), tank_.max.y());
+std::optional<std::string> Probes::set(const ProbeSettings& probe) {
   if (!probes_.contains(probe.id) && probes_.size() >= kMostProbes)
     return fmt::format("there are {} probes already; allowed: at most so many", kMostProbes);
   probes_[probe.id] = probe;

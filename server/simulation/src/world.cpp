@@ -60,7 +60,6 @@ World::World(const Scene& scene, const WorldOptions& options)
       water_level_(rest_level(scene)),
       clock_(scene.frame_interval),
       bodies_(make_bodies(*pool_, scene)),
-      probes_(scene.tank),
       fluid_(make_start(*pool_, scene, bodies_, origin_)),
       drive_(scene, origin_, water_level_),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
@@ -70,7 +69,7 @@ World::World(const Scene& scene, const WorldOptions& options)
     bodies_.place(origin_, fluid_);
   }
   for (const ProbeSettings& probe : scene_.probes)
-    if (const auto refusal = probes_.set(probe, bodies_))
+    if (const auto refusal = apply(SetProbe{probe}))
       throw std::invalid_argument("probe " + std::to_string(probe.id) + ": " + *refusal);
   if (scene_.wind) wind_.emplace(wind_site(scene_, origin_, water_level_), *scene_.wind);
   settle();

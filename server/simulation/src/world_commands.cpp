@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "simulation/world.hpp"
+#include "values/command_site.hpp"
 #include "world_sites.hpp"
 
 namespace pelagos {
@@ -23,6 +24,7 @@ std::optional<std::string> done(F&& f) {
 
 std::optional<std::string> World::apply(const Command& command) {
   using Refusal = std::optional<std::string>;
+  if (const auto misfit = find_misfit(command, command_site(scene_))) return to_string(*misfit);
   struct Visitor {
     World& world;
     Refusal operator()(const SetWind& c) const {
@@ -43,7 +45,7 @@ std::optional<std::string> World::apply(const Command& command) {
     Refusal operator()(const PauseSimulation&) const { return std::nullopt; }
     Refusal operator()(const ResumeSimulation&) const { return std::nullopt; }
     Refusal operator()(const StepSimulation&) const { return std::nullopt; }
-    Refusal operator()(const SetProbe& c) const { return world.probes_.set(c.probe, world.bodies_); }
+    Refusal operator()(const SetProbe& c) const { return world.probes_.set(c.probe); }
     Refusal operator()(const RemoveProbe& c) const { return world.probes_.remove(c.id); }
     Refusal operator()(const OilCommand& c) const { return world.apply_to_oil(c); }
   };
@@ -51,8 +53,7 @@ std::optional<std::string> World::apply(const Command& command) {
 }
 
 std::optional<std::string> World::apply_to_oil(const OilCommand& command) {
-  if (!spill_) return "the scene has no oil; needed there: oil { } with its type and model";
-  return std::visit(
+  auto refusal = std::visit(
       [&](const auto& c) -> std::optional<std::string> {
         if constexpr (std::is_same_v<std::decay_t<decltype(c)>, ReleaseOil>)
           return spill_->apply(c, bodies_);
@@ -60,6 +61,8 @@ std::optional<std::string> World::apply_to_oil(const OilCommand& command) {
           return spill_->apply(c);
       },
       command);
+  if (spill_before_) spill_before_.emplace(spill_->state());  // a state that comes back has what was done to it
+  return refusal;
 }
 
 void World::advance_oil(double dt, double time, StepReport& report) {

@@ -12,6 +12,7 @@
 
 #include "values/air_reading.hpp"
 #include "values/command.hpp"
+#include "values/command_site.hpp"
 #include "values/status.hpp"
 
 namespace pelagos {
@@ -61,6 +62,8 @@ struct ControlHooks {
   /// The wind that will have been set last when a command for `at` (nothing: the next boundary) is applied: what fields
   /// that a station leaves out keep.
   std::function<std::optional<WindSettings>(std::optional<double> at)> wind_before;
+  /// What the scene, and what will have been set when a command for `at` is applied, tell against it.
+  std::function<std::optional<Misfit>(const Command& command, std::optional<double> at)> find_misfit;
   std::function<ServerStatus()> status;
   /// The air as it moves now at each of the places (m, world).
   std::function<AirReading(const std::vector<Eigen::Vector3d>& position)> read_air;

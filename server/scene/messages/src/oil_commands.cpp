@@ -10,6 +10,7 @@ namespace {
 constexpr std::size_t kLongestName = 64;
 constexpr Range kPlaces{-1e6, 1e6, "m"};
 constexpr std::size_t kFewestPoints = 2, kMostPoints = 1000;
+constexpr double kLeastDistance = 0.1;  // m, between neighbours of a boom
 
 std::string read_name(const FieldReader& reader) {
   std::string name;
@@ -21,6 +22,23 @@ Eigen::Vector3d read_place(const FieldReader& reader, const char* field) {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
   if (reader.require(field)) reader.read(field, kPlaces, place);
   return place;
+}
+
+std::vector<Eigen::Vector2d> read_line(const FieldReader& reader) {
+  std::vector<Eigen::Vector2d> line;
+  for (const FieldReader& point : reader.children("point")) {
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    if (point.has("x")) point.read("x", kPlaces, place.x());
+    if (point.has("y")) point.read("y", kPlaces, place.y());
+    if (point.has("z")) point.read("z", kPlaces, place.z());  // means nothing, but has to be a number
+    if (!line.empty() && (place.head<2>() - line.back()).norm() < kLeastDistance)
+      point.fault("", "is " + format_number((place.head<2>() - line.back()).norm()) +
+                          " m from the point before; allowed: at least " + format_number(kLeastDistance) + " m");
+    line.push_back(place.head<2>());
+  }
+  if (line.size() < kFewestPoints || line.size() > kMostPoints)
+    reader.fault("point", "has " + std::to_string(line.size()) + " points; allowed: 2 to 1000");
+  return line;
 }
 
 void write_place(const Eigen::Vector3d& from, proto::v1::Vector& to) {
@@ -97,15 +115,7 @@ OilCommand read_spill_oil(const FieldReader& reader) {
 OilCommand read_set_boom(const FieldReader& reader) {
   SetBoom command;
   command.name = read_name(reader);
-  for (const FieldReader& point : reader.children("point")) {
-    Eigen::Vector3d place = Eigen::Vector3d::Zero();
-    if (point.has("x")) point.read("x", kPlaces, place.x());
-    if (point.has("y")) point.read("y", kPlaces, place.y());
-    if (point.has("z")) point.read("z", kPlaces, place.z());  // means nothing, but has to be a number
-    command.line.push_back(place.head<2>());
-  }
-  if (command.line.size() < kFewestPoints || command.line.size() > kMostPoints)
-    reader.fault("point", "has " + std::to_string(command.line.size()) + " points; allowed: 2 to 1000");
+  command.line = read_line(reader);
   reader.read("draft", {0.01, 20.0, "m"}, command.draft);
   reader.read("critical_speed", {0.01, 10.0, "m/s"}, command.critical_speed);
   return command;

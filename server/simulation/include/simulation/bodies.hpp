@@ -66,8 +66,6 @@ class Bodies {
   [[nodiscard]] std::vector<BodyState> states() const;
   /// Nothing where no body has that id.
   [[nodiscard]] std::optional<BodyState> state_of(std::uint32_t id) const;
-  /// For people.
-  [[nodiscard]] std::string list_of_ids() const;
 
   /// What moves about the bodies, to come back to; their shapes stay.
   struct Motion {

@@ -42,7 +42,7 @@ class OilSpill {
   /// Counts the oil that the scene starts with. @param origin  m, world: local zero
   OilSpill(const Scene& scene, const FluidState& fluid, const Eigen::Vector3d& origin, double water_level);
 
-  // Each returns why it is refused, or nothing.
+  // Each returns why it is refused, or nothing. They fit the scene (find_misfit).
   [[nodiscard]] std::optional<std::string> apply(const ReleaseOil& command, const Bodies& hulls);
   [[nodiscard]] std::optional<std::string> apply(const StopRelease& command);
   [[nodiscard]] std::optional<std::string> apply(const SpillOil& command);
@@ -69,23 +69,24 @@ class OilSpill {
     double left = 0.0;     ///< s
     double pending = 0.0;  ///< m^3 that has flowed out and is not in the water yet
     std::uint64_t made = 0;
+    SourceStatus status;
   };
   void run_sources(double dt, const SpillSea& sea, FluidState& fluid);
-  void feed_film(Source& source, const SpillSea& sea);
-  void make_particles(Source& source, const SpillSea& sea, FluidState& fluid);
+  // Each returns what keeps the rest of the oil back, if anything does.
+  [[nodiscard]] SourceWait bring_out(Source& source, bool film_due, bool over, const SpillSea& sea, FluidState& fluid);
+  [[nodiscard]] SourceWait feed_film(Source& source, const SpillSea& sea);
+  [[nodiscard]] SourceWait make_particles(Source& source, const SpillSea& sea, FluidState& fluid);
+  [[nodiscard]] bool dry(const Eigen::Vector3d& world, const SpillSea& sea) const;
   void thin_to_film(FluidState& fluid);
   void pile_to_particles(FluidState& fluid);
   [[nodiscard]] bool turn_to_oil(FluidState& fluid, const Eigen::Vector3d& world);
   [[nodiscard]] Eigen::Vector3d next_place(Source& source, const SpillSea& sea) const;
-  [[nodiscard]] std::optional<std::string> refuse_without_film(const char* what) const;
-  [[nodiscard]] std::optional<std::string> refuse_place(const char* field, const Eigen::Vector2d& place) const;
   [[nodiscard]] bool in_patch(const Eigen::Vector2d& place) const;
   [[nodiscard]] double particle_mass() const;  ///< kg, a whole number of milligrams
 
   OilModel model_;
   Eigen::Vector3d origin_;
   Box patch_;
-  std::vector<std::uint32_t> bodies_;  ///< ids
   double spacing_, oil_density_, water_density_;
   std::uint32_t most_particles_;
   SlickLayer layer_;

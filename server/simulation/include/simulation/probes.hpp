@@ -9,18 +9,14 @@
 #include "simulation/bodies.hpp"
 #include "values/current.hpp"
 #include "values/probe.hpp"
-#include "values/scene.hpp"
 
 namespace pelagos {
 
 /// The probes of a world: they read the same particles that the screens show, and cost nothing where there are none.
 class Probes {
  public:
-  /// @param tank  probes of the world stand inside it
-  explicit Probes(const Box& tank) : tank_(tank) {}
-
   /// @return why it cannot be; nothing where it was done
-  [[nodiscard]] std::optional<std::string> set(const ProbeSettings& probe, const Bodies& bodies);
+  [[nodiscard]] std::optional<std::string> set(const ProbeSettings& probe);
   [[nodiscard]] std::optional<std::string> remove(std::uint32_t id);
 
   /// By id. @param origin  m, world, of local coordinates; @param current  adds what the water does not make itself
@@ -29,7 +25,6 @@ class Probes {
                                                double time) const;
 
  private:
-  Box tank_;
   std::map<std::uint32_t, ProbeSettings> probes_;
 };
 

@@ -16,6 +16,22 @@ struct SkimmerStatus {
   bool dry = false;           ///< on, and hardly anything to take
 };
 
+/// What keeps the oil of a source from flowing out.
+enum class SourceWait {
+  kNone,
+  kNoWater,  ///< there is no water near its place
+  kFull,     ///< as many particles are oil as may be
+  kOutside,  ///< the body that carries it has left the patch
+};
+
+/// A source that runs.
+struct SourceStatus {
+  std::string name;
+  SourceWait wait = SourceWait::kNone;
+  double waiting = 0.0;  ///< s of simulated time, without a break up to now
+  double pending = 0.0;  ///< kg that should have flowed out and has not
+};
+
 /// Where the oil is at one instant, and how the slick looks in numbers.
 struct OilBudget {
   OilLedger ledger;
@@ -27,6 +43,7 @@ struct OilBudget {
   double emulsion_water = 0.0;     ///< m^3
   double displaced_water = 0.0;    ///< kg of water that has made room for oil, less what has come back
   double held_back = 0.0;          ///< kg that sources could not bring out: dry places, or the bound on oil particles
+  std::vector<SourceStatus> sources;  ///< that run, by name
   std::vector<SkimmerStatus> skimmers;
 };
 

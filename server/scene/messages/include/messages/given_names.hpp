@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "values/command_site.hpp"
+
+namespace pelagos {
+
+/// By what names later commands may speak of what earlier ones have set. A source that has run out keeps its name here:
+/// whether it still runs, the world knows.
+struct GivenNames {
+  std::set<std::string> sources, booms, skimmers;
+  std::set<std::uint32_t> probes;
+
+  void follow(const Command& command);
+};
+
+/// @return why the command speaks of something that is not there, with the nearest name that is; nothing if it does not
+[[nodiscard]] std::optional<Misfit> find_unknown_name(const Command& command, const GivenNames& given);
+
+}  // namespace pelagos

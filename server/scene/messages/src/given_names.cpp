@@ -1,0 +1,78 @@
+#include "messages/given_names.hpp"
+
+#include <vector>
+
+#include "messages/field_reader.hpp"
+
+namespace pelagos {
+
+namespace {
+
+constexpr std::size_t kMostListed = 8;
+
+std::optional<Misfit> find_unknown(const char* what, const std::string& name, const std::set<std::string>& given) {
+  if (given.contains(name)) return {};
+  std::string text = std::string("there is no ") + what + " \"" + name + "\"";
+  if (given.empty()) return Misfit{"name", text + ", nor any other"};
+  const std::string nearest = nearest_name(name, {given.begin(), given.end()});
+  if (!nearest.empty()) text += "; did you mean \"" + nearest + "\"?";
+  text += nearest.empty() ? "; allowed:" : " allowed:";
+  std::size_t listed = 0;
+  for (const std::string& known : given) {
+    if (++listed > kMostListed)
+      return Misfit{"name", text + " and " + std::to_string(given.size() - kMostListed) + " more"};
+    text += std::string(listed > 1 ? "," : "") + " \"" + known + "\"";
+  }
+  return Misfit{"name", text};
+}
+
+struct Follower {
+  GivenNames& given;
+
+  void operator()(const ReleaseOil& c) const { given.sources.insert(c.name); }
+  void operator()(const StopRelease& c) const { given.sources.erase(c.name); }
+  void operator()(const SpillOil&) const {}
+  void operator()(const SetBoom& c) const { given.booms.insert(c.name); }
+  void operator()(const RemoveBoom& c) const { given.booms.erase(c.name); }
+  void operator()(const SetSkimmer& c) const { given.skimmers.insert(c.name); }
+  void operator()(const RemoveSkimmer& c) const { given.skimmers.erase(c.name); }
+};
+
+struct Checker {
+  const GivenNames& given;
+
+  std::optional<Misfit> operator()(const StopRelease& c) const { return find_unknown("source", c.name, given.sources); }
+  std::optional<Misfit> operator()(const RemoveBoom& c) const { return find_unknown("boom", c.name, given.booms); }
+  std::optional<Misfit> operator()(const RemoveSkimmer& c) const {
+    return find_unknown("skimmer", c.name, given.skimmers);
+  }
+  std::optional<Misfit> operator()(const auto&) const { return {}; }
+};
+
+std::optional<Misfit> find_unknown_probe(std::uint32_t id, const std::set<std::uint32_t>& given) {
+  if (given.contains(id)) return {};
+  std::string text = "there is no probe " + std::to_string(id) + (given.empty() ? ", nor any other" : "; allowed:");
+  std::size_t listed = 0;
+  for (const std::uint32_t known : given) {
+    if (++listed > kMostListed) break;
+    text += (listed > 1 ? ", " : " ") + std::to_string(known);
+  }
+  if (given.size() > kMostListed) text += " and " + std::to_string(given.size() - kMostListed) + " more";
+  return Misfit{"id", text};
+}
+
+}  // namespace
+
+void GivenNames::follow(const Command& command) {
+  if (const auto* oil = std::get_if<OilCommand>(&command)) std::visit(Follower{*this}, *oil);
+  if (const auto* set = std::get_if<SetProbe>(&command)) probes.insert(set->probe.id);
+  if (const auto* remove = std::get_if<RemoveProbe>(&command)) probes.erase(remove->id);
+}
+
+std::optional<Misfit> find_unknown_name(const Command& command, const GivenNames& given) {
+  if (const auto* remove = std::get_if<RemoveProbe>(&command)) return find_unknown_probe(remove->id, given.probes);
+  const auto* oil = std::get_if<OilCommand>(&command);
+  return oil == nullptr ? std::nullopt : std::visit(Checker{given}, *oil);
+}
+
+}  // namespace pelagos

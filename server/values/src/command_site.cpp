@@ -1,0 +1,121 @@
+#include "values/command_site.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace pelagos {
+
+namespace {
+
+using Fault = std::optional<Misfit>;
+
+Fault find_wrong_body(std::uint32_t body, const CommandSite& site) {
+  if (std::find(site.bodies.begin(), site.bodies.end(), body) != site.bodies.end()) return {};
+  std::string allowed;
+  for (const std::uint32_t id : site.bodies) allowed += (allowed.empty() ? "" : ", ") + std::to_string(id);
+  return Misfit{"body", fmt::format("the scene has no body {}; allowed: {}", body,
+                                    allowed.empty() ? "none, it has no bodies" : allowed)};
+}
+
+Fault find_place_outside(const char* field, const Eigen::Vector2d& place, const Box& tank) {
+  const auto x = place.array();
+  if ((x >= tank.min.head<2>().array()).all() && (x <= tank.max.head<2>().array()).all()) return {};
+  return Misfit{field, fmt::format("({:g}, {:g}) m is outside the tank; allowed: ({:g}, {:g}) to ({:g}, {:g}) m",
+                                   place.x(), place.y(), tank.min.x(), tank.min.y(), tank.max.x(), tank.max.y())};
+}
+
+Fault find_place_outside(const char* field, const Eigen::Vector3d& place, const Box& tank) {
+  if ((place.array() >= tank.min.array()).all() && (place.array() <= tank.max.array()).all()) return {};
+  return Misfit{field, fmt::format("({:g}, {:g}, {:g}) m is outside the tank; allowed: ({:g}, {:g}, {:g}) to "
+                                   "({:g}, {:g}, {:g}) m",
+                                   place.x(), place.y(), place.z(), tank.min.x(), tank.min.y(), tank.min.z(),
+                                   tank.max.x(), tank.max.y(), tank.max.z())};
+}
+
+/// Whether a piece of the line from a to b lies over the tank: the part of it within both pairs of faces.
+bool crosses(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Box& tank) {
+  double first = 0.0, last = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double way = b[axis] - a[axis], to_min = tank.min[axis] - a[axis], to_max = tank.max[axis] - a[axis];
+    if (way == 0.0) {
+      if (to_min > 0.0 || to_max < 0.0) return false;
+      continue;
+    }
+    first = std::max(first, std::min(to_min / way, to_max / way));
+    last = std::min(last, std::max(to_min / way, to_max / way));
+  }
+  return first <= last;
+}
+
+/// A boom may be moored beyond the tank, but not miss it.
+Fault find_boom_outside(const std::vector<Eigen::Vector2d>& line, const Box& tank) {
+  for (std::size_t i = 1; i < line.size(); ++i)
+    if (crosses(line[i - 1], line[i], tank)) return {};
+  return Misfit{"point", fmt::format("all of the boom is outside the tank; allowed: some of it within ({:g}, {:g}) to "
+                                     "({:g}, {:g}) m",
+                                     tank.min.x(), tank.min.y(), tank.max.x(), tank.max.y())};
+}
+
+/// What works on the film alone.
+Fault find_missing_film(const char* what, const CommandSite& site) {
+  if (site.oil != OilModel::kParticles) return {};
+  return Misfit{"", fmt::format("{} works on the slick layer; allowed with oil.model SLICK or BOTH in the scene, and "
+                                "here it is PARTICLES",
+                                what)};
+}
+
+struct OilChecker {
+  const CommandSite& site;
+
+  Fault operator()(const ReleaseOil& c) const {
+    if (c.body != 0) return find_wrong_body(c.body, site);
+    if (auto fault = find_place_outside("from", c.from, site.tank)) return fault;
+    return find_place_outside("to", c.to, site.tank);
+  }
+  Fault operator()(const SpillOil& c) const {
+    if (auto fault = find_missing_film("an instant slick", site)) return fault;
+    return find_place_outside("position", c.position, site.tank);
+  }
+  Fault operator()(const SetBoom& c) const {
+    if (auto fault = find_missing_film("a boom", site)) return fault;
+    return find_boom_outside(c.line, site.tank);
+  }
+  Fault operator()(const SetSkimmer& c) const {
+    if (auto fault = find_missing_film("a skimmer", site)) return fault;
+    return find_place_outside("position", c.position, site.tank);
+  }
+  Fault operator()(const StopRelease&) const { return {}; }
+  Fault operator()(const RemoveBoom&) const { return {}; }
+  Fault operator()(const RemoveSkimmer&) const { return {}; }
+};
+
+Fault find_wrong_probe(const ProbeSettings& probe, const CommandSite& site) {
+  if (probe.body != 0) return find_wrong_body(probe.body, site);
+  return find_place_outside("position", Eigen::Vector2d(probe.position.head<2>()), site.tank);
+}
+
+}  // namespace
+
+CommandSite command_site(const Scene& scene) {
+  CommandSite site;
+  site.tank = scene.tank;
+  for (const BodySettings& body : scene.bodies) site.bodies.push_back(body.id);
+  if (scene.oil) site.oil = scene.oil->model;
+  return site;
+}
+
+std::optional<Misfit> find_misfit(const Command& command, const CommandSite& site) {
+  if (const auto* set = std::get_if<SetProbe>(&command)) return find_wrong_probe(set->probe, site);
+  const auto* oil = std::get_if<OilCommand>(&command);
+  if (oil == nullptr) return {};
+  if (!site.oil) return Misfit{"", "the scene has no oil; needed there: oil { } with its type and model"};
+  return std::visit(OilChecker{site}, *oil);
+}
+
+std::string to_string(const Misfit& misfit) {
+  return misfit.field.empty() ? misfit.what : misfit.field + ": " + misfit.what;
+}
+
+}  // namespace pelagos
