@@ -15,7 +15,7 @@ const char* reason(SourceWait wait) {
     case SourceWait::kFull:
       return "as many particles are oil as oil.most_particles allows";
     case SourceWait::kOutside:
-      return "the body that carries it has left the patch";
+      return "its place is outside the patch, where its body has carried it";
     case SourceWait::kNone:
       break;
   }

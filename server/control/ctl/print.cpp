@@ -65,7 +65,7 @@ std::string describe_release(const proto::v1::ReleaseReport& release) {
   if (release.wait() == proto::v1::ReleaseReport::FLOWS) return text + ": flows";
   const char* why = release.wait() == proto::v1::ReleaseReport::NO_WATER ? "no water near it"
                     : release.wait() == proto::v1::ReleaseReport::FULL   ? "as many particles are oil as may be"
-                                                                         : "its body has left the patch";
+                                                                         : "carried out of the patch";
   return text + format(": waits for %.3g s, %s, ", release.waiting(), why) + mass(release.pending()) + " held back";
 }
 

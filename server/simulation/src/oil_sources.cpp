@@ -47,7 +47,7 @@ void OilSpill::run_sources(double dt, const SpillSea& sea, FluidState& fluid) {
     status.wait = bring_out(source, film_due || over, over, sea, fluid);
     status.waiting = status.wait == SourceWait::kNone ? 0.0 : status.waiting + dt;
     status.pending = source.pending * oil_density_;
-    if (over) held_back_ += status.pending;
+    if (over && to_milligrams(status.pending) > 0) held_back_ += status.pending;
     at = over ? sources_.erase(at) : std::next(at);
   }
   if (film_due) since_film_ = 0.0;

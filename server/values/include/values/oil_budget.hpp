@@ -21,7 +21,7 @@ enum class SourceWait {
   kNone,
   kNoWater,  ///< there is no water near its place
   kFull,     ///< as many particles are oil as may be
-  kOutside,  ///< the body that carries it has left the patch
+  kOutside,  ///< its body has carried it out of the patch
 };
 
 /// A source that runs.
