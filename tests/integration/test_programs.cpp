@@ -303,6 +303,35 @@ TEST_F(Server, SchedulesCommandsOfStationsAndLogsThem) {
                                     testing::Not(HasSubstr("set_wind"))));
 }
 
+TEST_F(Server, RefusesOilThatDoesNotFitAndTellsOfSourcesAndSkimmers) {
+  const TemporaryFolder folder;
+  const std::string scene_file = (folder.path() / "oily.scene").string();
+  std::ofstream(scene_file) << read_text(scene("still_water")) << "oil { type: \"diesel\" model: SLICK }\n";
+  start({"--unpaced"}, scene_file);
+  EXPECT_EQ(ask({"spill", "99", "0", "--volume", "1", "--json"}), 1);
+  EXPECT_THAT(answer_, HasSubstr("command.spill_oil.position: (99, 0) m is outside the tank"));
+  EXPECT_EQ(ask({"boom", "north", "--remove", "--json"}), 1);
+  EXPECT_THAT(answer_, HasSubstr("command.remove_boom.name: there is no boom"));
+  ASSERT_EQ(ask({"skimmer", "rig", "0.1", "0.1", "--radius", "0.05"}), 0);
+  const auto end = std::chrono::steady_clock::now() + kLongPatience;
+  const auto wait_for = [&](const std::string& words) {
+    while (server_->errors().find(words) == std::string::npos && std::chrono::steady_clock::now() < end)
+      std::this_thread::sleep_for(milliseconds(20));
+  };
+  wait_for("has been dry for 5 s");
+  ASSERT_EQ(ask({"release", "leak", "--from", "0.5", "0.5", "0.2", "--rate", "0.36", "--duration", "1"}), 0);
+  wait_for("has ended");
+  ASSERT_EQ(ask({"status", "--json"}), 0);
+  const auto oil = nlohmann::json::parse(answer_).at("oil");
+  EXPECT_NEAR(oil.at("released").get<double>(), 1e-4 * 855.0, 1e-5);
+  EXPECT_EQ(ask({"release", "leak", "--stop", "--json"}), 1);
+  EXPECT_THAT(answer_, HasSubstr("there is no source")) << "it has run out";
+  server_->signal(SIGTERM);
+  EXPECT_EQ(server_->wait(kPatience), 0) << server_->errors();
+  EXPECT_THAT(server_->errors(), AllOf(HasSubstr("by server: skimmer \"rig\" has been dry for 5 s"),
+                                       HasSubstr("by server: source \"leak\" has ended")));
+}
+
 TEST(ServerCommandLine, RefusesAnUnknownOption) {
   RunningProgram server({program("pelagos-server"), "--scene", scene("still_water"), "--wings"});
   EXPECT_EQ(server.wait(kPatience), 2);

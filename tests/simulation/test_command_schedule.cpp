@@ -172,9 +172,7 @@ TEST(Replay, OfACutOffLogDoesNotEnd) {
 }
 
 TEST(CommandSchedule, KnowsWhatWillBearANameAtATime) {
-  GivenNames at_start;
-  at_start.probes.insert(4);
-  CommandQueue queue({{10.0, OilCommand{SetBoom{"scene's", {}, 0.5, 0.36}}}}, std::nullopt, at_start);
+  CommandQueue queue({{10.0, OilCommand{SetBoom{"scene's", {}, 0.5, 0.36}}}}, std::nullopt);
   queue.submit(OilCommand{SetBoom{"now", {}, 0.5, 0.36}}, "a");
   queue.schedule(OilCommand{RemoveBoom{"scene's"}}, 20.0, "a");
   const auto booms = [&](std::optional<double> at) { return queue.names_before(at).booms; };
@@ -185,6 +183,10 @@ TEST(CommandSchedule, KnowsWhatWillBearANameAtATime) {
   EXPECT_THAT(booms(std::nullopt), testing::ElementsAre("now", "scene's"));
   sources(queue, 25.0);
   EXPECT_THAT(booms(std::nullopt), testing::ElementsAre("now"));
+  GivenNames told;  // the world has refused that boom, and has a probe
+  told.probes.insert(4);
+  queue.set_names(told);
+  EXPECT_THAT(booms(std::nullopt), testing::IsEmpty());
   EXPECT_TRUE(queue.names_before(std::nullopt).probes.contains(4));
 }
 

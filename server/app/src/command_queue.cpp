@@ -19,9 +19,8 @@ void follow_pause(const Command& command, bool& paused) {
 
 }  // namespace
 
-CommandQueue::CommandQueue(const std::vector<SceneEvent>& events, const std::optional<WindSettings>& wind,
-                           GivenNames given)
-    : wind_(wind), given_(std::move(given)) {
+CommandQueue::CommandQueue(const std::vector<SceneEvent>& events, const std::optional<WindSettings>& wind)
+    : wind_(wind) {
   for (const SceneEvent& event : events) {
     const std::uint64_t id = ++last_id_;
     insert({id, event.at, event.command, "scene event " + std::to_string(id)});
@@ -98,6 +97,11 @@ GivenNames CommandQueue::names_before(std::optional<double> at) const {
   for (const ScheduledCommand& waiting : scheduled_)
     if (at && waiting.at <= *at) given.follow(waiting.command);
   return given;
+}
+
+void CommandQueue::set_names(const GivenNames& given) {
+  const std::scoped_lock lock(mutex_);
+  given_ = given;
 }
 
 void CommandQueue::take(double now, std::vector<QueuedCommand>& out) {

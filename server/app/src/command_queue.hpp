@@ -31,9 +31,9 @@ class CommandQueue {
   static constexpr std::size_t kMostScheduled = 1000;
 
   CommandQueue() = default;
-  /// With the events of a scene, the wind that it starts with and what bears names in it. Sources are "scene event 1",
+  /// With the events of a scene, and the wind that it starts with. Sources are "scene event 1",
   /// "scene event 2", ... in the order given.
-  CommandQueue(const std::vector<SceneEvent>& events, const std::optional<WindSettings>& wind, GivenNames given = {});
+  CommandQueue(const std::vector<SceneEvent>& events, const std::optional<WindSettings>& wind);
 
   /// Takes a command for the next boundary, or says why it cannot be done now.
   std::optional<std::string> submit(const Command& command, const std::string& source);
@@ -59,6 +59,8 @@ class CommandQueue {
 
   /// What will bear a name then.
   [[nodiscard]] GivenNames names_before(std::optional<double> at) const;
+  /// What does now: the world knows which commands it refused and which sources have run out.
+  void set_names(const GivenNames& given);
 
   /// Moves what is to be applied at a boundary at time `now` into `out`: what has fallen due, in order of time and then
   /// as given, and after it what was submitted, in order of arrival. `now` never decreases but after a restored fault.
@@ -75,7 +77,7 @@ class CommandQueue {
   std::vector<ScheduledCommand> scheduled_;  ///< by time, then by id
   std::vector<ScheduleChange> changes_;
   std::optional<WindSettings> wind_;  ///< last set by what was taken
-  GivenNames given_;                  ///< by what was taken
+  GivenNames given_;                  ///< as last told, and by what was taken since
   std::uint64_t last_id_ = 0;
   double now_ = 0.0;
   bool will_pause_ = false;  ///< once all that waits for the next boundary is done

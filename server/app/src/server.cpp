@@ -25,12 +25,6 @@ std::vector<std::uint32_t> driven_bodies(const Scene& scene) {
   return ids;
 }
 
-GivenNames names_in(const Scene& scene) {
-  GivenNames given;
-  for (const ProbeSettings& probe : scene.probes) given.probes.insert(probe.id);
-  return given;
-}
-
 /// The paper's own pulse is such a one; other laws refuse it.
 void warn_of_endless_pulse(const WindSettings& wind) {
   if (!wind.pulse || wind.law != WindLaw::kPaper || !never_closes(*wind.pulse)) return;
@@ -58,8 +52,7 @@ const char* describe_health(PoseHealth health) {
 Server::Server(const ServerOptions& options, const std::atomic<bool>& stop)
     : options_(options),
       stop_(stop),
-      commands_(options.replay ? std::vector<SceneEvent>{} : options.scene.events, options.scene.wind,
-                names_in(options.scene)),
+      commands_(options.replay ? std::vector<SceneEvent>{} : options.scene.events, options.scene.wind),
       window_(monotonic_ns()) {
   status_.scene = options_.scene.name;
   open_links();
@@ -121,6 +114,7 @@ void Server::open_world() {
   world.progress = [this](double) { return !stop_.load(); };
   log_info(fmt::format("scene {}: placing and settling the water", options_.scene.name));
   world_ = std::make_unique<World>(options_.scene, world);
+  tell_names();
   if (options_.scene.governor.on && !options_.replay) {
     governor_.emplace(options_.scene, world_->effort());
     log_info(fmt::format("governor: a frame may take {:.1f} ms", governor_->budget() * 1e3));
@@ -365,7 +359,9 @@ void Server::watch_places(const std::vector<BodyState>& states) {
 }
 
 void Server::watch_oil(const OilBudget& oil) {
-  for (const CommandNews& news : spill_watch_.observe(oil, world_->time())) {
+  const std::vector<CommandNews> all = spill_watch_.observe(oil, world_->time());
+  if (!all.empty()) tell_names();  // a source may have run out
+  for (const CommandNews& news : all) {
     if (news.kind == "release_waits" || news.kind == "skimmer_dry") log_warning(news.text);
     announce(news.kind, "server", news.text);
   }

@@ -87,6 +87,7 @@ class Server {
   void announce_schedule();
   void take_probe_requests();
   void apply_commands();
+  void tell_names();
   void apply(const QueuedCommand& queued);
   bool apply_to_clock(const Command& command);
   void notice_closed_axes();

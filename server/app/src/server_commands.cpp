@@ -89,6 +89,20 @@ void Server::apply_commands() {
   commands_.take(world_->time(), taken_commands_);
   if (replay_) replay_->take(world_->step(), taken_commands_);
   for (const QueuedCommand& queued : taken_commands_) apply(queued);
+  if (!taken_commands_.empty()) tell_names();
+}
+
+/// So that commands can be held against what is there.
+void Server::tell_names() {
+  GivenNames given;
+  for (const std::uint32_t id : world_->probe_ids()) given.probes.insert(id);
+  if (world_->spill()) {
+    const OilBudget oil = world_->spill()->budget();
+    for (const SourceStatus& source : oil.sources) given.sources.insert(source.name);
+    for (const SkimmerStatus& skimmer : oil.skimmers) given.skimmers.insert(skimmer.name);
+    given.booms.insert(oil.booms.begin(), oil.booms.end());
+  }
+  commands_.set_names(given);
 }
 
 void Server::apply(const QueuedCommand& queued) {

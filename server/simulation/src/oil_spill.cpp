@@ -84,7 +84,7 @@ std::optional<std::string> OilSpill::apply(const ReleaseOil& c, const Bodies& hu
                room = (most_particles_ - std::min(most_particles_, particles_)) * spacing_ * spacing_ * spacing_;
   if (model_ == OilModel::kParticles && std::isfinite(volume) && volume > room)
     return fmt::format(
-        "{:g} m^3/h for {:g} s are {:g} m^3, but there is room for {:g} m^3 in particles "
+        "rate: {:g} m^3/h for {:g} s are {:g} m^3, but there is room for {:g} m^3 in particles "
         "(oil.most_particles {}); allowed: less, a higher bound, or oil.model SLICK or BOTH",
         c.rate, c.duration, volume, room, most_particles_);
   Source& source = sources_[c.name];
@@ -138,6 +138,7 @@ OilBudget OilSpill::budget() const {
   budget.displaced_water = static_cast<double>(displaced_) * water_density_ * spacing_ * spacing_ * spacing_;
   budget.held_back = held_back_;
   for (const auto& [name, source] : sources_) budget.sources.push_back(source.status);
+  for (const auto& [name, boom] : layer_.state().booms) budget.booms.push_back(name);
   for (const auto& [name, skimmer] : layer_.state().skimmers)
     budget.skimmers.push_back({name, skimmer.report.recovered, skimmer.report.present_rate, skimmer.report.dry});
   return budget;

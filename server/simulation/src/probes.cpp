@@ -18,6 +18,12 @@ std::optional<std::string> Probes::remove(std::uint32_t id) {
   return std::nullopt;
 }
 
+std::vector<std::uint32_t> Probes::ids() const {
+  std::vector<std::uint32_t> ids;
+  for (const auto& [id, probe] : probes_) ids.push_back(id);
+  return ids;
+}
+
 std::vector<ProbeReading> Probes::read(const FluidState& fluid, const Bodies& bodies, const Eigen::Vector3d& origin,
                                        const std::optional<Current>& current, double time) const {
   std::vector<ProbeReading> readings;

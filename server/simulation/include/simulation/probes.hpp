@@ -18,6 +18,7 @@ class Probes {
   /// @return why it cannot be; nothing where it was done
   [[nodiscard]] std::optional<std::string> set(const ProbeSettings& probe);
   [[nodiscard]] std::optional<std::string> remove(std::uint32_t id);
+  [[nodiscard]] std::vector<std::uint32_t> ids() const;
 
   /// By id. @param origin  m, world, of local coordinates; @param current  adds what the water does not make itself
   [[nodiscard]] std::vector<ProbeReading> read(const FluidState& fluid, const Bodies& bodies,

@@ -109,6 +109,7 @@ class World {
   [[nodiscard]] std::vector<ProbeReading> read_probes() const {
     return probes_.read(fluid_, bodies_, origin_, current_, clock_.time());
   }
+  [[nodiscard]] std::vector<std::uint32_t> probe_ids() const { return probes_.ids(); }
   /// The oil; nothing in a scene without.
   [[nodiscard]] const std::optional<OilSpill>& spill() const { return spill_; }
   [[nodiscard]] double water_level() const { return water_level_; }  ///< m, world, at rest

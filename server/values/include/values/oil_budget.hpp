@@ -44,6 +44,7 @@ struct OilBudget {
   double displaced_water = 0.0;    ///< kg of water that has made room for oil, less what has come back
   double held_back = 0.0;          ///< kg that sources could not bring out: dry places, or the bound on oil particles
   std::vector<SourceStatus> sources;  ///< that run, by name
+  std::vector<std::string> booms;     ///< names
   std::vector<SkimmerStatus> skimmers;
 };
 

@@ -9,8 +9,7 @@
 
 namespace pelagos {
 
-/// By what names later commands may speak of what earlier ones have set. A source that has run out keeps its name here:
-/// whether it still runs, the world knows.
+/// By what names later commands may speak of what earlier ones have set. To `follow` a source runs until it is stopped.
 struct GivenNames {
   std::set<std::string> sources, booms, skimmers;
   std::set<std::uint32_t> probes;
