@@ -9,7 +9,8 @@ namespace {
 /// Radius of an element's bell by that of its disc: the disc holds the bell's oil spread evenly.
 constexpr double kReachPerRadius = 1.0 / 0.6312;
 constexpr double kTexelsPerReach = 8.0;  // a bell so fine is smooth under linear interpolation
-constexpr double kFringe = 2.5;          // as far as a disc is drawn, in reaches: kFringe of slick.vert
+constexpr float kFringe = 2.5F;          // reaches, to where sheen goes out from free oil
+constexpr float kHeldFringe = 1.3F;      // the same where a boom holds it, so that none shows beyond the boom
 constexpr int kRim = 2;                  // texels that stay empty on each side
 constexpr float kMetresToMicrometres = 1e6F;
 
@@ -19,7 +20,8 @@ struct DrawnDisc {
   float reach;      ///< radius of the bell
   float thickness;  ///< um
   float water;      ///< volume share
-  float unused[3];
+  float fringe;     ///< reaches, to where it is drawn
+  float unused[2];
 };
 static_assert(sizeof(DrawnDisc) == 32);
 
@@ -47,8 +49,8 @@ SlickPlace place_of(const Slick& slick, int texels) {
   double mass = 0.0;
   for (const SlickDisc& disc : slick.discs) {
     const Eigen::Array2d at(disc.x, disc.y);
-    low = low.min(at - kFringe * reach_of(disc));
-    high = high.max(at + kFringe * reach_of(disc));
+    low = low.min(at - static_cast<double>(kFringe) * reach_of(disc));
+    high = high.max(at + static_cast<double>(kFringe) * reach_of(disc));
     const double weight = static_cast<double>(disc.mass) + 1e-9;  // kg; discs may have no mass at all
     sum += weight * at;
     mass += weight;
@@ -78,6 +80,7 @@ void SlickMap::draw(const Slick& slick, const SlickPlace& place) {
                      static_cast<float>(std::max(reach_of(disc), smallest) / place.length),
                      kMetresToMicrometres * disc.thickness,
                      disc.water,
+                     disc.contained ? kHeldFringe : kFringe,
                      {}});
   }
   discs_.upload(drawn.data(), drawn.size() * sizeof(DrawnDisc));

@@ -2,10 +2,11 @@
 // Weights are the server's bells (Wendland's C2 function), of one volume each, so that small elements tell the detail;
 // beyond its bell an element still says of what oil the fringe is.
 in vec2 corner;
-flat in vec3 traits;  // thickness (um), water, reach
+flat in vec4 traits;  // thickness (um), water, reach, fringe (reaches)
 layout(location = 0) out vec4 film;  // sums of weight * thickness, the same * water, weight; largest closeness
 void main() {
-  const float edge = 0.6312, fringe = 2.5;  // of the disc, and where all ends, in reaches
+  const float edge = 0.6312;  // of the disc, in reaches
+  float fringe = traits.w;    // where all ends
   float q = length(corner);
   float near = max(1.0 - q, 0.0), tail = max(1.0 - q / fringe, 0.0);
   float weight = (near * near * near * near * (1.0 + 4.0 * q) + 1e-3 * tail * tail) / (traits.z * traits.z);

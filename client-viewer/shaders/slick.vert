@@ -4,16 +4,16 @@ struct Disc {
   float reach;      // of its bell, in parts of the map
   float thickness;  // um
   float water;      // volume share of water in the emulsion
-  float unused[3];
+  float fringe;     // to where it is drawn, in reaches
+  float unused[2];
 };
 layout(std430, binding = 0) readonly buffer Discs { Disc discs[]; };
-const float kFringe = 2.5;  // as in slick_map.cpp
 out vec2 corner;       // in reaches
-flat out vec3 traits;  // thickness, water, reach
+flat out vec4 traits;  // thickness, water, reach, fringe
 
 void main() {
   Disc disc = discs[gl_InstanceID];
-  corner = kFringe * vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
-  traits = vec3(disc.thickness, disc.water, disc.reach);
+  corner = disc.fringe * vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
+  traits = vec4(disc.thickness, disc.water, disc.reach, disc.fringe);
   gl_Position = vec4(2.0 * (disc.centre + disc.reach * corner) - 1.0, 0.5, 1.0);
 }
