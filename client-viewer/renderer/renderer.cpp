@@ -235,7 +235,7 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   const bool oily = slick_place.length > 0.0;
   const Eigen::Vector2d map = slick_place.corner - eye, middle = slick_place.centre - eye;
   block.slick_map = vector4(map.x(), map.y(), oily ? 1.0 / slick_place.length : 0.0, oily ? 1.0 : 0.0);
-  block.slick_centre = vector4(middle.x(), middle.y(), 0, 0);
+  block.slick_centre = vector4(middle.x(), middle.y(), slick_place.reach, 0);
   fill_ship(block, camera, moment);
   return block;
 }

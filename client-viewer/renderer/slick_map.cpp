@@ -46,7 +46,7 @@ SlickPlace place_of(const Slick& slick, int texels) {
   SlickPlace place;
   if (slick.discs.empty()) return place;
   Eigen::Array2d low = Eigen::Array2d::Constant(HUGE_VAL), high = -low, sum = Eigen::Array2d::Zero();
-  double mass = 0.0;
+  double mass = 0.0, reach = 0.0;
   for (const SlickDisc& disc : slick.discs) {
     const Eigen::Array2d at(disc.x, disc.y);
     low = low.min(at - static_cast<double>(kFringe) * reach_of(disc));
@@ -54,6 +54,7 @@ SlickPlace place_of(const Slick& slick, int texels) {
     const double weight = static_cast<double>(disc.mass) + 1e-9;  // kg; discs may have no mass at all
     sum += weight * at;
     mass += weight;
+    reach += weight * reach_of(disc);
   }
   const Eigen::Array2d origin = slick.origin.head<2>();
   const double needed = (high - low).maxCoeff() / (texels - 2 * kRim - 1);
@@ -61,6 +62,7 @@ SlickPlace place_of(const Slick& slick, int texels) {
   place.corner = (((low + origin) / texel).floor() - kRim) * texel;
   place.length = texels * texel;
   place.centre = origin + sum / mass;
+  place.reach = reach / mass;
   return place;
 }
 

@@ -21,6 +21,7 @@ struct SlickPlace {
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< m, world, south-west
   double length = 0.0;                               ///< m, of a side; 0: nothing to draw
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< m, world, of the oil's mass: patterns drift along with it
+  double reach = 0.0;                                ///< m, of the elements' bells, mean by mass
 };
 [[nodiscard]] SlickPlace place_of(const Slick& slick, int texels);
 

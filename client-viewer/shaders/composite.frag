@@ -118,7 +118,7 @@ Film film_at(vec2 p, float footprint) {
   float coarse = textureLod(foam_pattern, q / vec2(47.0, 31.0), max(fine - 5.0, 3.0)).r - 0.5;
   float middle = textureLod(foam_pattern, q.yx / vec2(11.0, 17.0) + 0.37, max(fine - 3.5, 2.5)).r - 0.5;
   float small = textureLod(foam_pattern, q / vec2(6.1, 4.3) + 0.71, max(fine - 2.2, 1.5)).r - 0.5;
-  vec2 warp = min(4.0 * texel, 1.2) * (vec2(coarse, middle) + 0.5 * vec2(middle, small));
+  vec2 warp = min(0.5 * slick_centre.z, 1.2) * (vec2(coarse, middle) + 0.5 * vec2(middle, small));
   vec4 sums = textureLod(film_map, uv + warp * slick_map.z, max(log2(footprint / texel), 0.0));
   if (sums.z <= 0.0) return film;
   float pattern = 0.5 * coarse + 0.32 * middle + 0.18 * small;

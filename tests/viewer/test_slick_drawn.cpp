@@ -82,6 +82,13 @@ int largest_difference(const Picture& a, const Picture& b) {
   return largest;
 }
 
+double mean_difference(const Picture& a, const Picture& b) {
+  double sum = 0.0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) sum += difference(a.at(x, y), b.at(x, y));
+  return sum / (kWidth * kHeight);
+}
+
 TEST_F(Graphics, SlickIsDarkWhereItLiesAndNowhereElse) {
   FlatSea sea;
   const float radius = 5.0F;
@@ -180,6 +187,24 @@ TEST_F(Graphics, SlickHasNoHardEdge) {
       largest_step = std::max(largest_step, static_cast<int>(std::abs(here - before)));
     }
   EXPECT_LT(largest_step, largest_difference(oily, clean) / 2);
+}
+
+TEST_F(Graphics, SlickDoesNotJumpWhenItsMapGrows) {
+  const auto slick = [](float radius) {
+    return std::vector<SlickDisc>{disc(-6.0, 0.0, radius, 3e-6F), disc(5.0, 3.0, 0.7F * radius, 1e-3F)};
+  };
+  const auto length = [&](float radius) {
+    const std::vector<SlickDisc> discs = slick(radius);
+    return place_of({discs, kMiddle}, 512).length;
+  };
+  float below = 3.0F, above = 6.0F;
+  ASSERT_LT(length(below), length(above));
+  while (above - below > 1e-4F)
+    (length(0.5F * (below + above)) > length(below) ? above : below) = 0.5F * (below + above);
+  FlatSea sea;
+  const Picture fine = sea.draw(slick(below)), coarse = sea.draw(slick(above)), grown = sea.draw(slick(1.1F * above));
+  EXPECT_LT(mean_difference(fine, coarse), 0.05 * mean_difference(coarse, grown));
+  EXPECT_LE(largest_difference(fine, coarse), 12) << "the steep edge of thick oil differs most";
 }
 
 TEST_F(Graphics, SlickThatIsGoneLeavesNoTrace) {
