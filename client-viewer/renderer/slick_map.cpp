@@ -11,6 +11,7 @@ constexpr double kReachPerRadius = 1.0 / 0.6312;
 constexpr double kTexelsPerReach = 8.0;  // a bell so fine is smooth under linear interpolation
 constexpr float kFringe = 2.5F;          // reaches, to where sheen goes out from free oil
 constexpr float kHeldFringe = 1.3F;      // the same where a boom holds it, so that none shows beyond the boom
+constexpr double kMostPixels = 16e6;     // of all discs together: the map is coarser where they cover each other more
 constexpr int kRim = 2;                  // texels that stay empty on each side
 constexpr float kMetresToMicrometres = 1e6F;
 
@@ -46,7 +47,7 @@ SlickPlace place_of(const Slick& slick, int texels) {
   SlickPlace place;
   if (slick.discs.empty()) return place;
   Eigen::Array2d low = Eigen::Array2d::Constant(HUGE_VAL), high = -low, sum = Eigen::Array2d::Zero();
-  double mass = 0.0, reach = 0.0;
+  double mass = 0.0, reach = 0.0, drawn_area = 0.0;
   for (const SlickDisc& disc : slick.discs) {
     const Eigen::Array2d at(disc.x, disc.y);
     low = low.min(at - static_cast<double>(kFringe) * reach_of(disc));
@@ -55,10 +56,12 @@ SlickPlace place_of(const Slick& slick, int texels) {
     sum += weight * at;
     mass += weight;
     reach += weight * reach_of(disc);
+    drawn_area += std::pow(2.0 * static_cast<double>(kFringe) * reach_of(disc), 2);
   }
   const Eigen::Array2d origin = slick.origin.head<2>();
   const double needed = (high - low).maxCoeff() / (texels - 2 * kRim - 1);
-  const double texel = rung_above(std::max(needed, small_reach(slick.discs) / kTexelsPerReach));
+  const double affordable = std::sqrt(drawn_area / kMostPixels);
+  const double texel = rung_above(std::max({needed, affordable, small_reach(slick.discs) / kTexelsPerReach}));
   place.corner = (((low + origin) / texel).floor() - kRim) * texel;
   place.length = texels * texel;
   place.centre = origin + sum / mass;

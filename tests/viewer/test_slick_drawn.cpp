@@ -288,6 +288,15 @@ TEST(SlickPlace, HoldsTheDiscsOnAGridOfTheWorld) {
 
 TEST(SlickPlace, IsNowhereWithoutDiscs) { EXPECT_EQ(place_of({}, 512).length, 0.0); }
 
+TEST(SlickPlace, BoundsWhatThereIsToDraw) {
+  const std::vector<SlickDisc> huge(100'000, disc(0.0, 0.0, 1e5F, 1e-3F));
+  const SlickPlace place = place_of({huge, kMiddle}, 512);
+  const double side = 512.0 * 2.0 * 1e5 / place.length;  // of a disc's square without its fringe, pixels
+  EXPECT_LT(side * side * 1e5, 16e6);
+  const std::vector<SlickDisc> usual(4000, disc(0.0, 0.0, 2.0F, 1e-3F));
+  EXPECT_LT(place_of({usual, kMiddle}, 512).length / 512, 0.2 * 2.0 / 0.6312);
+}
+
 TEST(SlickPlace, TakesExtremeDiscs) {
   for (const float radius : {1e-30F, 1e5F})
     for (const float mass : {0.0F, 1e12F}) {
