@@ -207,6 +207,18 @@ TEST_F(Graphics, SlickDoesNotJumpWhenItsMapGrows) {
   EXPECT_LE(largest_difference(fine, coarse), 12) << "the steep edge of thick oil differs most";
 }
 
+TEST_F(Graphics, SlickThatDriftsDoesNotFlicker) {
+  FlatSea sea;
+  const auto drifted = [&](double by) {
+    return sea.draw({disc(by - 6.0, 0.0, 4.0F, 3e-6F), disc(by + 5.0, 3.0, 3.0F, 1e-3F)});
+  };
+  const Picture before = drifted(0.0);
+  double most = 0.0;  // a frame's drift at a time, over more than a texel of the map
+  for (int frame = 1; frame <= 20; ++frame)
+    most = std::max(most, mean_difference(drifted(0.01 * (frame - 1)), drifted(0.01 * frame)));
+  EXPECT_LT(most, 0.1 * mean_difference(before, drifted(0.5)));
+}
+
 TEST_F(Graphics, SlickThatIsGoneLeavesNoTrace) {
   FlatSea sea;
   const Picture clean = sea.draw({});
