@@ -77,6 +77,8 @@ void Presentation::draw() {
   moment.origin = frame_->origin;
   moment.particles = frame_->particles;
   moment.bodies = bodies;
+  const std::shared_ptr<const OceanSlick> slick = source_.slick();
+  if (slick) moment.slick = {slick->discs, slick->origin};
   if (const std::optional<WindSettings> wind = source_.wind()) moment.wind_speed = wind->velocity.head<2>().norm();
   renderer_->draw(camera_or_stand_in(bodies), moment);
 }

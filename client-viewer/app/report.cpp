@@ -54,6 +54,8 @@ void write_report(const RunReport& report, const std::filesystem::path& file) {
       {"frames_replaced", report.counters.replaced},
       {"frames_refused", report.counters.refused},
       {"frames_foreign", report.counters.foreign},
+      {"slicks_received", report.counters.slicks},
+      {"slicks_refused", report.counters.slicks_refused},
       {"pictures_written", report.pictures_written},
       {"last_picture", report.last_picture},
       {"errors", report.errors},

@@ -17,7 +17,7 @@ CompositePass::CompositePass(int width, int height, bool smooth_edges)
       smooth_edges_(smooth_edges) {}
 
 void CompositePass::compose(const OpaquePass& opaque, const FarSeaPass& far_sea, const FluidPass& fluid,
-                            const DetailTextures& detail) {
+                            const DetailTextures& detail, const SlickMap* slick) {
   target_.bind();
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
@@ -25,6 +25,7 @@ void CompositePass::compose(const OpaquePass& opaque, const FarSeaPass& far_sea,
                                &opaque.mirrored(), &detail.sky(),           &detail.ripples(),  &detail.foam()};
   GLuint unit = 0;
   for (const Texture* texture : textures) texture->bind(unit++);
+  if (slick != nullptr) slick->film().bind(unit);
   composite_program_.use();
   nothing_.bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -5,6 +5,7 @@
 #include "renderer/fluid.hpp"
 #include "renderer/gl_objects.hpp"
 #include "renderer/opaque.hpp"
+#include "renderer/slick_map.hpp"
 
 namespace pelagos {
 
@@ -13,8 +14,9 @@ class CompositePass {
  public:
   CompositePass(int width, int height, bool smooth_edges);
 
+  /// @param slick  may be null: there has been no oil yet
   void compose(const OpaquePass& opaque, const FarSeaPass& far_sea, const FluidPass& fluid,
-               const DetailTextures& detail);
+               const DetailTextures& detail, const SlickMap* slick);
   void draw_spray(std::span<const DrawnParticle> drops, const DetailTextures& detail);
   void finish();
 

@@ -126,6 +126,7 @@ struct Renderer::State {
 
   void gather(const Camera& camera, const SeaMoment& moment);
   [[nodiscard]] std::vector<PlacedMesh> place_bodies(const Camera& camera, const SeaMoment& moment) const;
+  void draw_slick(const Slick& slick);
   [[nodiscard]] ViewBlock view_block(const Camera& camera, const SeaMoment& moment) const;
   void fill_ship(ViewBlock& block, const Camera& camera, const SeaMoment& moment) const;
   void upload_view(const ViewBlock& block) {
@@ -141,6 +142,8 @@ struct Renderer::State {
   FluidPass fluid;
   CompositePass composite;
   std::unique_ptr<DetailTextures> detail;
+  std::unique_ptr<SlickMap> slick_map;  ///< from the first slick on
+  SlickPlace slick_place;               ///< of the map as drawn
   SceneInfo scene;
   std::map<std::uint32_t, std::unique_ptr<Mesh>> meshes;
   std::vector<DrawnParticle> water, drops;
@@ -158,6 +161,14 @@ void Renderer::State::gather(const Camera& camera, const SeaMoment& moment) {
     const float reach = 1.5F * std::max({one.semi_axes[0], one.semi_axes[1], one.semi_axes[2]});
     if (frustum.may_see(one.centre, reach)) (one.spray > kSprayThreshold ? drops : water).push_back(one);
   }
+}
+
+void Renderer::State::draw_slick(const Slick& slick) {
+  const int texels = settings.quality == Quality::kHigh ? 1024 : 512;
+  slick_place = place_of(slick, texels);
+  if (slick_place.length <= 0.0) return;
+  if (!slick_map) slick_map = std::make_unique<SlickMap>(texels);
+  slick_map->draw(slick, slick_place);
 }
 
 std::vector<PlacedMesh> Renderer::State::place_bodies(const Camera& camera, const SeaMoment& moment) const {
@@ -221,6 +232,10 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   block.ripple_shift =
       vector4(std::fmod(1.3 * moment.time, kDetailPeriod), std::fmod(0.22 * moment.time, kDetailPeriod),
               std::fmod(2.3 * moment.time, kDetailPeriod), std::fmod(-0.35 * moment.time, kDetailPeriod));
+  const bool oily = slick_place.length > 0.0;
+  const Eigen::Vector2d map = slick_place.corner - eye, middle = slick_place.centre - eye;
+  block.slick_map = vector4(map.x(), map.y(), oily ? 1.0 / slick_place.length : 0.0, oily ? 1.0 : 0.0);
+  block.slick_centre = vector4(middle.x(), middle.y(), slick_place.reach, 0);
   fill_ship(block, camera, moment);
   return block;
 }
@@ -263,6 +278,8 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
     s.times[pass++] = std::chrono::duration<double, std::milli>(time - last).count();
     last = time;
   };
+  s.draw_slick(moment.slick);
+  pass_done();
   s.upload_view(s.view_block(camera, moment));
   s.opaque.draw(s.place_bodies(camera, moment));
   pass_done();
@@ -274,7 +291,7 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   pass_done();
   s.fluid.smooth();
   pass_done();
-  s.composite.compose(s.opaque, s.far_sea, s.fluid, *s.detail);
+  s.composite.compose(s.opaque, s.far_sea, s.fluid, *s.detail, s.slick_map.get());
   pass_done();
   s.composite.draw_spray(s.drops, *s.detail);
   s.composite.finish();

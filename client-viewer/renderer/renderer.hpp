@@ -13,6 +13,7 @@
 #include "channels/camera.hpp"
 #include "packing/surface_particle.hpp"
 #include "renderer/picture.hpp"
+#include "renderer/slick_map.hpp"
 #include "values/body.hpp"
 #include "values/scene_info.hpp"
 
@@ -34,11 +35,12 @@ struct SeaMoment {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world, of the particles
   std::span<const SurfaceParticle> particles;
   std::span<const BodyState> bodies;  ///< at the time shown
+  Slick slick;                        ///< the film of oil, if there is one
   std::optional<double> wind_speed;   ///< m/s; unknown: from the far sea
 };
 
 /// Names of the passes, in order, as reports use them.
-inline constexpr std::array<const char*, 6> kPassNames = {"opaque",    "far_sea",   "particles",
+inline constexpr std::array<const char*, 7> kPassNames = {"slick",     "opaque",    "far_sea",    "particles",
                                                           "smoothing", "composite", "spray_edges"};
 using PassTimes = std::array<double, kPassNames.size()>;  ///< ms
 

@@ -18,6 +18,8 @@ layout(std140, binding = 0) uniform View {
   vec4 ripple_shift;   // drift of the two ripple layers, wave axes, m
   vec4 ship;           // own ship: x, y relative to the eye, cos and sin of its heading
   vec4 ship_size;      // half length, half beam (0: no ship), speed ahead (m/s), path curvature (1/m, positive to port)
+  vec4 slick_map;      // map of the oil film: corner x, y relative to the eye, 1 / length of a side, present (0 or 1)
+  vec4 slick_centre;   // middle of the oil: x, y relative to the eye; reach of its elements (m); unused
 };
 
 const float kPi = 3.14159265;

@@ -8,6 +8,7 @@ layout(binding = 4) uniform sampler2D mirrored;
 layout(binding = 5) uniform sampler2D sky;
 layout(binding = 6) uniform sampler2D ripples;
 layout(binding = 7) uniform sampler2D foam_pattern;
+layout(binding = 8) uniform sampler2D film_map;
 layout(location = 0) out vec4 picture;
 layout(location = 1) out float scene_inverse;
 
@@ -102,19 +103,60 @@ float foam_cover(vec2 p, float amount, float footprint) {
   return clamp(amount, 0.0, 1.0) * smoothstep(1.0 - 0.95 * amount, 1.35 - 0.75 * amount, pattern + 0.15);
 }
 
-// `oil` 0..1: how much of the water is covered by it.
+struct Film { float thickness; float water; };  // um; volume share of water in the emulsion
+
+// Oil on the water at a place. Streaks, wisps and ragged edges, which the elements are too large for, come from the
+// foam's pattern. It is fixed to the middle of the oil, so that it drifts along.
+Film film_at(vec2 p, float footprint) {
+  Film film = Film(0.0, 0.0);
+  vec2 uv = (p - slick_map.xy) * slick_map.z;
+  if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) return film;
+  float texel = 1.0 / (slick_map.z * float(textureSize(film_map, 0).x));
+  vec2 q = p - slick_centre.xy;
+  q = vec2(dot(q, wave_axis.xy), dot(q, vec2(-wave_axis.y, wave_axis.x)));
+  float fine = log2(footprint * 256.0);
+  float coarse = textureLod(foam_pattern, q / vec2(47.0, 31.0), max(fine - 5.0, 3.0)).r - 0.5;
+  float middle = textureLod(foam_pattern, q.yx / vec2(11.0, 17.0) + 0.37, max(fine - 3.5, 2.5)).r - 0.5;
+  float small = textureLod(foam_pattern, q / vec2(6.1, 4.3) + 0.71, max(fine - 2.2, 1.5)).r - 0.5;
+  vec2 warp = min(0.5 * slick_centre.z, 1.2) * (vec2(coarse, middle) + 0.5 * vec2(middle, small));
+  vec4 sums = textureLod(film_map, uv + warp * slick_map.z, max(log2(footprint / texel), 0.0));
+  if (sums.z <= 0.0) return film;
+  float pattern = 0.5 * coarse + 0.32 * middle + 0.18 * small;
+  film.water = clamp(sums.y / max(sums.x, 1e-9) * (1.0 + 0.5 * pattern), 0.0, 1.0);
+  // Beyond the discs the film falls to a thousandth at once, and from there slowly to nothing: a rim of sheen.
+  float beyond = clamp(1.0 - 2.0 * sums.w - 0.25 * pattern, 0.0, 1.0);
+  float rim = 1.0 - beyond;
+  film.thickness = sums.x / sums.z * exp(-7.0 * smoothstep(0.0, 0.25, beyond) - 4.5 * beyond) * rim;
+  film.thickness *= exp2(pattern * mix(5.0, 2.0, smoothstep(1.0, 300.0, film.thickness)));
+  return film;
+}
+
+// Share of light that a film mirrors at normal incidence, by interference of its two faces (air 1, oil 1.48, water
+// 1.33): silvery from 0.04 um on, colours above 0.3 um, the bare oil's where the orders run together. `spread`: how far
+// the thickness differs within a pixel, um.
+vec3 film_reflectance(float thickness, float spread, float cosine) {
+  vec3 wavelength = vec3(0.61, 0.54, 0.465);  // um
+  float path = 4.0 * kPi * 1.48 * sqrt(1.0 - (1.0 - cosine * cosine) / (1.48 * 1.48));
+  vec3 blurred = exp(-pow(path * spread / wavelength * 0.35, vec3(2.0))) * exp(-thickness * thickness / 6.0);
+  float contrast = mix(0.0204, 0.0300, smoothstep(0.02, 0.3, thickness));  // colours a little stronger than they are
+  return 0.0404 - contrast * blurred * cos(path * thickness / wavelength);
+}
+
+// `oil` 0..1: how much of the water is covered by thick oil. `film`: of the slick, `spread` as in film_reflectance().
 // `flatness` 0: the surface stands up against the view there, and a map of ripples would show contour rings.
-vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float oil, float height, vec2 uv,
-                 float behind_inverse, float flatness) {
+vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float oil, Film film, float spread, float height,
+                 vec2 uv, float behind_inverse, float flatness) {
   vec3 p = d / inverse;
   float distance_to = length(p);
   float footprint_across = 1.0 / (inverse * forward.w);
   float grazing = clamp(-p.z / distance_to, 0.01, 1.0);
   float footprint = footprint_across * pow(grazing, -0.85);
   Detail detail = ripple_detail(p.xy, distance_to, footprint);
+  float opaque = 1.0 - exp(-film.thickness / 70.0);  // the oil's own colour, by Beer's law
+  float calm = max(oil, smoothstep(0.01, 0.6, film.thickness));
   // on steep water the ripples' map is stretched; oil damps them
-  slope += (1.0 - 0.8 * oil) * flatness * detail.slope / (1.0 + 2.5 * dot(slope, slope));
-  float variance = detail.variance + 0.0008 + 0.010 * wave_axis.z * wave_axis.z * smoothstep(60.0, 900.0, distance_to);
+  slope += (1.0 - 0.8 * calm) * flatness * detail.slope / (1.0 + 2.5 * dot(slope, slope));
+  float variance = (1.0 - 0.8 * calm) * detail.variance + 0.0008 + 0.010 * wave_axis.z * wave_axis.z * smoothstep(60.0, 900.0, distance_to) * (1.0 - 0.6 * calm);
   vec3 n = normalize(vec3(-slope, 1.0));
   vec3 v = -p / distance_to;
   float facing = dot(n, v);
@@ -122,8 +164,9 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float oil, float
   if (facing < 0.03) { n = normalize(n + v * (0.03 - facing)); facing = 0.03; }
   float sigma = sqrt(variance);
   // Fresnel of a rough sea (Bruneton, Neyret & Holzschuch 2010)
-  float normal_incidence = mix(0.02, 0.037, oil);  // ((n - 1) / (n + 1))^2, n = 1.33 and 1.48
-  float fresnel = normal_incidence + (1.0 - normal_incidence) * pow(1.0 - facing, 5.0 * exp(-2.69 * sigma)) / (1.0 + 22.7 * pow(sigma, 1.5));
+  vec3 normal_incidence = vec3(mix(0.02, 0.037, oil));  // ((n - 1) / (n + 1))^2, n = 1.33 and 1.48
+  if (film.thickness > 0.0) normal_incidence = mix(film_reflectance(film.thickness, spread, facing), normal_incidence, oil);
+  vec3 fresnel = normal_incidence + (1.0 - normal_incidence) * pow(1.0 - facing, 5.0 * exp(-2.69 * sigma)) / (1.0 + 22.7 * pow(sigma, 1.5));
   vec3 r = reflect(-v, n);
   r.z = abs(r.z) + 0.05 + 0.9 * sigma;  // rough water mirrors the sky higher up
   r = normalize(r);
@@ -149,7 +192,10 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float oil, float
     vec3 kept = exp(-path * vec3(0.75, 0.30, 0.24));
     body = mix(body, textureLod(opaque_colour, refracted, 0.0).rgb * vec3(0.55, 0.75, 0.75), kept);
   }
-  body = mix(body, vec3(0.030, 0.014, 0.005) * lit, oil);
+  vec3 brown = vec3(0.013, 0.0065, 0.003);
+  vec3 mousse = mix(brown, vec3(0.095, 0.036, 0.012), smoothstep(0.15, 0.65, film.water));
+  body = mix(body, mousse * lit, opaque);
+  body = mix(body, brown * lit, oil);
   vec3 colour = mix(body, reflection, fresnel);
   // Sun glint: slopes that mirror the sun, Gaussian with the unresolved variance
   vec3 halfway = normalize(sun.xyz + v);
@@ -183,6 +229,10 @@ void main() {
   float level_step = length(d) / (max(water, 1e-5) * forward.w * clamp(-d.z / length(d), 0.01, 1.0));
   float flatness = smoothstep(0.04, 0.30, dot(dFdy(place), ahead) / level_step);
   if (abs(forward.z) > 0.7) flatness = 1.0;  // seen from above
+  // Not in a branch, for its differences between pixels.
+  Film film = Film(0.0, 0.0);
+  if (slick_map.w > 0.0) film = film_at(place, level_step);
+  float spread = min(fwidth(film.thickness), 1e3);
   vec3 colour;
   if (solid > water) {
     colour = mix(textureLod(opaque_colour, uv, 0.0).rgb, haze_colour(d), 1.0 - exp(-length(d) / (solid * level.z)));
@@ -194,8 +244,9 @@ void main() {
     float fold = open_sea.w - 0.7 * weight * max(length(fluid_here.yz) - 0.12, 0.0);
     float crest_foam = 0.82 * smoothstep(level.w + 0.5 * patch_blend.w, level.w - 1.3 * patch_blend.w, fold);
     float oil = weight * smoothstep(0.15, 0.55, -fluid_here.w);
-    float foam = (1.0 - oil) * (crest_foam + 0.85 * weight * max(fluid_here.w, 0.0) + hull_foam(p.xy));
-    colour = shade_water(d, water, slope, foam, oil, p.z - level.x, uv, solid, flatness);
+    float clean = (1.0 - oil) * exp(-film.thickness / 70.0);
+    float foam = clean * (crest_foam + 0.85 * weight * max(fluid_here.w, 0.0) + hull_foam(p.xy));
+    colour = shade_water(d, water, slope, foam, oil, film, spread, p.z - level.x, uv, solid, flatness);
   } else {
     colour = sky_colour(normalize(d), 0.0);
     colour = mix(colour, haze_colour(d), exp(-abs(d.z) / length(d) * 30.0));

@@ -13,6 +13,7 @@ class DdsSource final : public FrameSource {
   std::uint64_t scene_revision() override { return receiver_.scene_revision(); }
   std::optional<ServerStatus> status() override { return receiver_.status(); }
   std::optional<WindSettings> wind() override { return receiver_.wind(); }
+  std::shared_ptr<const OceanSlick> slick() override { return receiver_.slick(); }
   bool server_alive() override { return receiver_.server_alive(); }
   ReceiverCounters counters() override { return receiver_.counters(); }
 

@@ -24,6 +24,8 @@ class FrameSource {
   [[nodiscard]] virtual std::uint64_t scene_revision() = 0;
   [[nodiscard]] virtual std::optional<ServerStatus> status() = 0;
   [[nodiscard]] virtual std::optional<WindSettings> wind() = 0;
+  /// The newest film of oil; null where there is none.
+  [[nodiscard]] virtual std::shared_ptr<const OceanSlick> slick() = 0;
   [[nodiscard]] virtual bool server_alive() = 0;
   [[nodiscard]] virtual ReceiverCounters counters() = 0;
 };

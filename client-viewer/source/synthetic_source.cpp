@@ -88,6 +88,7 @@ class SyntheticSource final : public FrameSource {
   std::uint64_t scene_revision() override { return 1; }
   std::optional<ServerStatus> status() override { return std::nullopt; }
   std::optional<WindSettings> wind() override { return std::nullopt; }
+  std::shared_ptr<const OceanSlick> slick() override { return nullptr; }
   bool server_alive() override { return true; }
   ReceiverCounters counters() override { return counters_; }
 

@@ -17,11 +17,13 @@ namespace {
 
 using nlohmann::json;
 
-/// A server that publishes the synthetic sea at 30 Hz until it is destroyed.
+/// A server that publishes the synthetic sea at 30 Hz until it is destroyed; with a film of oil beside the ship if so
+/// wanted.
 class SeaServer {
  public:
-  SeaServer() : participant_(join_dds(test_settings())), publisher_(participant_, synthetic_scene()) {
-    thread_ = std::thread([this] {
+  explicit SeaServer(bool oil = false)
+      : participant_(join_dds(test_settings())), publisher_(participant_, synthetic_scene()) {
+    thread_ = std::thread([this, oil] {
       OceanFrame frame;
       for (std::uint64_t number = 0; !stop_; ++number) {
         fill_synthetic_frame(static_cast<double>(number) / 30.0, frame);
@@ -35,6 +37,7 @@ class SeaServer {
         snapshot->bodies = frame.bodies;
         snapshot->total_particles = frame.total_particles;
         snapshot->status.real_time_factor = 1.0;
+        if (oil) snapshot->oil.emplace().discs = {{0.0F, -12.0F, 0.0F, 6.0F, 1e-3F, 50.0F, 0.0F, {}, false}};
         publisher_.submit(std::move(snapshot));
         std::this_thread::sleep_for(std::chrono::milliseconds(30));
       }
@@ -92,10 +95,22 @@ TEST_F(ViewerProcess, DrawsFramesOfAServer) {
   EXPECT_GE(result["frames_received"], 1);
   EXPECT_GT(result["latency_ms"]["mean"], 0.0);
   EXPECT_LT(result["latency_ms"]["p50"], 10'000.0) << "same clock on both sides";
+  EXPECT_EQ(result["slicks_received"], 0);
   EXPECT_FALSE(result["gl_renderer"].get<std::string>().empty());
   EXPECT_EQ(result["errors"], json::array());
   for (int i = 0; i < 5; ++i)
     EXPECT_GT(std::filesystem::file_size(out_ / ("starboard_000" + std::to_string(i) + ".png")), 1000u);
+}
+
+TEST_F(ViewerProcess, DrawsTheSlickOfAServer) {
+  const SeaServer server(true);
+  ChildProcess viewer(command({"--channel", "starboard", "--frames", "15"}));
+  EXPECT_EQ(viewer.wait_for_end(), 0);
+  const json result = report("starboard");
+  ASSERT_TRUE(result.is_object());
+  EXPECT_GE(result["slicks_received"], 1);
+  EXPECT_EQ(result["slicks_refused"], 0);
+  EXPECT_EQ(result["errors"], json::array());
 }
 
 TEST_F(ViewerProcess, OutlivesTheServerAndFindsTheNextOne) {

@@ -36,6 +36,7 @@ class FrameReceiver::Implementation {
         scenes_(participant_, topics::scene_info()),
         statuses_(participant_, topics::status()),
         winds_(participant_, topics::wind()),
+        slicks_(participant_, topics::slick()),
         event_reader_(participant_, topics::event()),
         waitset_(participant_) {
     if (const auto warning = check_receive_buffer()) log_.write(*warning);
@@ -43,6 +44,7 @@ class FrameReceiver::Implementation {
     waitset_.attach(scenes_, DDS_DATA_AVAILABLE_STATUS | DDS_LIVELINESS_CHANGED_STATUS);
     waitset_.attach(statuses_);
     waitset_.attach(winds_);
+    waitset_.attach(slicks_);
     waitset_.attach(event_reader_);
     thread_ = std::thread([this] { dispatch(); });
   }
@@ -90,6 +92,7 @@ class FrameReceiver::Implementation {
   std::uint64_t scene_revision_ = 0;
   std::optional<ServerStatus> status_;
   std::optional<WindSettings> wind_;
+  std::shared_ptr<const OceanSlick> slick_;
   ReceiverCounters counters_;
 
  private:
@@ -119,6 +122,7 @@ class FrameReceiver::Implementation {
       const std::lock_guard lock(mutex_);
       wind_ = sample.has_wind ? std::optional(wire::from_wire(sample.wind)) : std::nullopt;
     });
+    slicks_.take_all<pelagos_SlickV1>([this](const auto& sample) { accept_slick(sample); });
     event_reader_.take_all<pelagos_EventV1>([this](const auto& sample) {
       if (!is_followed(sample.source)) return;
       Event event = wire::from_wire(sample);
@@ -143,6 +147,7 @@ class FrameReceiver::Implementation {
     scene_.reset();
     status_.reset();
     wind_.reset();
+    slick_.reset();
     // What the new server has said once, while the old one was followed.
     if (const auto other = std::find_if(other_scenes_.begin(), other_scenes_.end(),
                                         [source](const auto& entry) { return entry.first == source; });
@@ -196,6 +201,26 @@ class FrameReceiver::Implementation {
     arrived_.notify_all();
   }
 
+  void accept_slick(const pelagos_SlickV1& sample) {
+    if (const char* fault = wire::find_fault(sample)) {
+      log_.write(std::string("slick refused: ") + fault);
+      const std::lock_guard lock(mutex_);
+      ++counters_.slicks_refused;
+      return;
+    }
+    if (!is_followed(sample.source)) return;
+    auto slick = std::make_shared<OceanSlick>();
+    slick->frame = sample.frame;
+    slick->simulation_time = sample.simulation_time;
+    slick->origin = wire::from_wire(sample.origin);
+    slick->discs.reserve(sample.elements._length);
+    for (std::uint32_t i = 0; i < sample.elements._length; ++i)
+      slick->discs.push_back(wire::from_wire(sample.elements._buffer[i]));
+    const std::lock_guard lock(mutex_);
+    slick_ = std::move(slick);
+    ++counters_.slicks;
+  }
+
   std::unique_ptr<OceanFrame> decode(const pelagos_OceanFrameV1& sample) {
     std::unique_ptr<OceanFrame> frame = take_spare();
     const PackingScales scales = wire::scales_of(sample);
@@ -236,6 +261,7 @@ class FrameReceiver::Implementation {
   DdsReader scenes_;
   DdsReader statuses_;
   DdsReader winds_;
+  DdsReader slicks_;
   DdsReader event_reader_;
   DdsWaitSet waitset_;
 
@@ -269,6 +295,9 @@ std::optional<SceneInfo> FrameReceiver::scene_info() const { return implementati
 std::uint64_t FrameReceiver::scene_revision() const { return implementation_->read(&Implementation::scene_revision_); }
 std::optional<ServerStatus> FrameReceiver::status() const { return implementation_->read(&Implementation::status_); }
 std::optional<WindSettings> FrameReceiver::wind() const { return implementation_->read(&Implementation::wind_); }
+std::shared_ptr<const OceanSlick> FrameReceiver::slick() const {
+  return implementation_->read(&Implementation::slick_);
+}
 std::vector<Event> FrameReceiver::take_events() { return implementation_->take_events(); }
 bool FrameReceiver::server_alive() const { return implementation_->alive(); }
 ReceiverCounters FrameReceiver::counters() const { return implementation_->read(&Implementation::counters_); }

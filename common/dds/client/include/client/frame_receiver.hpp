@@ -12,6 +12,7 @@
 #include "values/body.hpp"
 #include "values/command.hpp"
 #include "values/scene_info.hpp"
+#include "values/slick.hpp"
 #include "values/status.hpp"
 #include "values/wind.hpp"
 
@@ -33,13 +34,23 @@ struct OceanFrame {
   std::vector<BodyState> bodies;
 };
 
+/// The film of oil on the water at one instant.
+struct OceanSlick {
+  std::uint64_t frame = 0;                           ///< as in OceanFrame
+  double simulation_time = 0.0;                      ///< s
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world; the discs are relative to it
+  std::vector<SlickDisc> discs;
+};
+
 /// What happened to frames since the start.
 struct ReceiverCounters {
-  std::uint64_t received = 0;  ///< valid frames
-  std::uint64_t missed = 0;    ///< gaps in the frame numbers
-  std::uint64_t replaced = 0;  ///< received, but a newer one came before take_newest()
-  std::uint64_t refused = 0;   ///< wrong payload size, numbers not finite or out of range
-  std::uint64_t foreign = 0;   ///< from a second server while the first one lives
+  std::uint64_t received = 0;        ///< valid frames
+  std::uint64_t missed = 0;          ///< gaps in the frame numbers
+  std::uint64_t replaced = 0;        ///< received, but a newer one came before take_newest()
+  std::uint64_t refused = 0;         ///< wrong payload size, numbers not finite or out of range
+  std::uint64_t foreign = 0;         ///< from a second server while the first one lives
+  std::uint64_t slicks = 0;          ///< valid slicks
+  std::uint64_t slicks_refused = 0;  ///< too many elements, numbers not finite or out of range
 };
 
 /// Listens to one server. A thread of its own takes the samples, checks and decodes them; all calls here are quick and
@@ -68,6 +79,8 @@ class FrameReceiver {
   [[nodiscard]] std::optional<ServerStatus> status() const;
   /// The wind that blows; empty if none does or nothing is known yet.
   [[nodiscard]] std::optional<WindSettings> wind() const;
+  /// The newest slick of the server that is followed; null where none has come, as in scenes without oil.
+  [[nodiscard]] std::shared_ptr<const OceanSlick> slick() const;
   /// Events since the last call, oldest first; at most 256 are kept.
   [[nodiscard]] std::vector<Event> take_events();
 
