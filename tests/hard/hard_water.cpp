@@ -4,14 +4,18 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "simulation/deep_water.hpp"
 #include "simulation/fluid_setup.hpp"
 #include "solver_names.hpp"
 
 namespace pelagos::hard {
 
 HardWater::HardWater(const FluidParameters& parameters, const std::vector<Float4>& positions, int threads,
-                     const std::vector<std::uint8_t>& phase)
-    : pool_(threads), state_(make_fluid(pool_, parameters, positions, phase)) {
+                     const std::vector<std::uint8_t>& phase, int layers)
+    : pool_(threads),
+      state_(make_fluid(pool_, parameters, positions, phase)),
+      step_factor_(depth_measures(parameters.scheme, layers).step_factor) {
+  suit_depth(layers, state_.parameters);
   start_watch();
 }
 
@@ -62,7 +66,7 @@ void HardWater::note(const StepReport& report) {
 }
 
 void HardWater::run(double time, double factor, double cfl) {
-  const double longest = factor * step_unit();
+  const double longest = factor * step_unit() * step_factor_;
   double gone = 0.0;
   while (gone < time && sums_.not_finite == 0) {
     double dt = longest;
@@ -148,7 +152,17 @@ HardWater oil_dam(const std::string& solver, double density_ratio, int threads) 
 
 HardWater still_column(const std::string& solver, int layers, double tolerance) {
   return {lattice_tank(solver, {10, 10, layers + 6}, tolerance),
-          block({9, 9, layers}, kSpacing, {kSpacing, kSpacing, kSpacing})};
+          block({9, 9, layers}, kSpacing, {kSpacing, kSpacing, kSpacing}),
+          1,
+          {},
+          layers};
+}
+
+HardWater still_sea(const std::string& solver, int layers, double tolerance) {
+  FluidParameters parameters = lattice_tank(solver, {40, 4, layers + 4}, tolerance);
+  parameters.edges = {Edge::kPeriodic, Edge::kPeriodic, Edge::kMirror};
+  const std::array<double, 3> first{0.5 * kSpacing, 0.5 * kSpacing, 0.5 * kSpacing};
+  return {parameters, block({40, 4, layers}, kSpacing, first), 1, {}, layers};
 }
 
 HardWater sloshing_tank(const std::string& solver) {

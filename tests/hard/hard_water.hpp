@@ -33,8 +33,9 @@ struct Outcome {
 /// Water in a tank advanced step by step with a solver by its name, and what became of it.
 class HardWater {
  public:
+  /// @param layers  depth that settings and steps suit, as the server has them; 0: shallow
   HardWater(const FluidParameters& parameters, const std::vector<Float4>& positions, int threads = 1,
-            const std::vector<std::uint8_t>& phase = {});
+            const std::vector<std::uint8_t>& phase = {}, int layers = 0);
 
   /// Advances by dt and takes note. Stops noting once a value is not finite.
   StepReport step(double dt);
@@ -66,6 +67,7 @@ class HardWater {
   Outcome sums_;
   std::vector<double> rms_;
   double start_energy_ = 0, lowest_energy_ = 0, speed_ = 0;
+  double step_factor_;  ///< on every longest step
 };
 
 /// A tank from the origin, m, with the named solver at a tolerance for both constraints; viscosity as the server's
@@ -85,6 +87,10 @@ class HardWater {
 
 /// Still water of so many layers, 9 x 9 wide, walls all around, settled; spacing 0.05 m.
 [[nodiscard]] HardWater still_column(const std::string& solver, int layers, double tolerance);
+
+/// Still water of so many layers in a box 40 spacings long and 4 wide without sides (periodic) over a mirror, from the
+/// lattice; spacing 0.05 m.
+[[nodiscard]] HardWater still_sea(const std::string& solver, int layers, double tolerance);
 
 /// A few hundred to two thousand particles that slosh to and fro: a slab higher at one end.
 [[nodiscard]] HardWater sloshing_tank(const std::string& solver);

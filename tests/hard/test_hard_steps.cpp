@@ -81,5 +81,21 @@ TEST_P(HardSteps, StillWaterFifteenAndThirtyLayersDeep) {
   }
 }
 
+/// Before the corrected scheme had measures for depth, the sea of 80 layers fell into itself: 5 % of compression by
+/// now.
+TEST(HardDepth, AStillSeaOfSixtyAndEightyLayersStaysWhole) {
+  for (const int layers : {60, 80}) {
+    SCOPED_TRACE(layers);
+    HardWater water(still_sea("corrected", layers, 3e-4));
+    water.run(7.0 * water.step_unit(), 0.07, 0.4);
+    const Outcome out = water.outcome();
+    record(out, "layers_" + std::to_string(layers) + "_");
+    EXPECT_TRUE(out.sound());
+    EXPECT_LT(out.density_error, 4e-3);  // measured: 1.0e-3 and 1.8e-3
+    EXPECT_LT(out.largest_density, 1.05);
+    EXPECT_LT(out.unconverged, 5);  // measured: 0 and 1
+  }
+}
+
 }  // namespace
 }  // namespace pelagos::hard

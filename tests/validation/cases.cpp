@@ -93,14 +93,16 @@ const std::vector<Case>& all_cases() {
        "Half a metre of oil (800 kg/m^3) on half a metre of water, between mirrors, for 5 s.",
        "Hydrostatics; both liquids stay where they are.", run_oil_at_rest},
       {"rayleigh_taylor", "Water over oil, and oil over water",
-       "A full box one wavelength long, two layers, their interface pushed into a wave. With the water above the wave "
+       "A box one wavelength long, two layers, the upper one two spacings below the lid, their interface pushed into a "
+       "wave. With the water above the wave "
        "grows, with the oil above it swings. Not a number: viscosity let it never grow to k a = 0.06.",
        "Linear theory of two layers (Lamb 1932). A prototype of the method grew 18 % too slowly at 60 d and 33 % at 30 "
        "d.",
        run_rayleigh_taylor},
       {"lock_exchange", "Lock exchange",
-       "A full box, oil of 950 kg/m^3 on one side and water on the other: the water runs under, the oil above. Not a "
-       "number: viscosity let the fronts not come far enough.",
+       "Oil of 950 kg/m^3 on one side of a box and water on the other, two spacings below its lid: the water runs "
+       "under, the "
+       "oil above. Not a number: viscosity let the fronts not come far enough.",
        "The front speed of a computation without wall friction, 0.477 sqrt(g' H) (Haertel et al. 2000).",
        run_lock_exchange},
       {"oil_slump", "Oil spreading on deep water",

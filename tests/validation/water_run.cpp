@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "monotonic_clock.hpp"
+#include "simulation/deep_water.hpp"
 #include "simulation/fluid_setup.hpp"
 #include "solver_names.hpp"
 
@@ -15,11 +16,19 @@ namespace {
 /// Explicit viscosity is stable up to nu dt / d^2 of about twice this.
 constexpr double kViscousStep = 0.1;
 
-FluidParameters with_solver(FluidParameters parameters, const SolverChoice& choice) {
+double layers_of(const FluidParameters& parameters, const Start& start) {
+  if (start.positions.empty() || !(parameters.gravity > 0.0)) return 0.0;
+  const auto [low, high] = std::minmax_element(start.positions.begin(), start.positions.end(),
+                                               [](const Float4& a, const Float4& b) { return a.z < b.z; });
+  return static_cast<double>(high->z - low->z) / parameters.spacing + 1.0;
+}
+
+FluidParameters with_solver(FluidParameters parameters, const SolverChoice& choice, double layers) {
   SolverSettings solver;
   if (!choose_solver(choice.name, solver)) throw std::invalid_argument("no solver of the name " + choice.name);
   if (choice.tolerance > 0.0) solver.density.tolerance = solver.divergence.tolerance = choice.tolerance;
   apply_solver(solver, parameters);
+  suit_depth(layers, parameters);
   if (parameters.viscosity < 0.0) parameters.viscosity = default_viscosity(solver.kind, parameters.spacing);
   if (parameters.oil && parameters.oil->viscosity < 0.0)
     parameters.oil->viscosity = parameters.oil->rest_density * parameters.viscosity;
@@ -30,7 +39,8 @@ FluidParameters with_solver(FluidParameters parameters, const SolverChoice& choi
 
 WaterRun::WaterRun(int threads, FluidParameters parameters, const SolverChoice& solver, const Start& start)
     : pool_(std::make_unique<TaskPool>(threads)),
-      state_(make_fluid(*pool_, with_solver(std::move(parameters), solver), start.positions, start.phase)) {
+      layers_(layers_of(parameters, start)),
+      state_(make_fluid(*pool_, with_solver(std::move(parameters), solver, layers_), start.positions, start.phase)) {
   std::copy(start.velocities.begin(), start.velocities.end(), state_.particles.velocity.begin());
   sums_.particles = start.positions.size();
   limit_steps(0.07, 0.4);
@@ -39,7 +49,7 @@ WaterRun::WaterRun(int threads, FluidParameters parameters, const SolverChoice& 
 void WaterRun::limit_steps(double factor, double cfl) {
   const double gravity = state_.parameters.gravity > 0.0 ? state_.parameters.gravity : 9.81;
   const FluidParameters& q = state_.parameters;
-  max_step_ = factor * std::sqrt(q.spacing / gravity);
+  max_step_ = factor * std::sqrt(q.spacing / gravity) * depth_measures(q.scheme, layers_).step_factor;
   if (q.viscosity > 0.0) max_step_ = std::min(max_step_, kViscousStep * q.spacing * q.spacing / q.viscosity);
   cfl_ = cfl;
 }

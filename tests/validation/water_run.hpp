@@ -44,7 +44,8 @@ class WaterRun {
   void settle(int steps) { settle_fluid(*pool_, state_, steps); }
   /// Advances to `time`, calling `each` after every step (may be empty).
   void advance_to(double time, const std::function<void()>& each = {});
-  /// Longest step in units of sqrt(d/g) (default 0.07; standard gravity where there is none) and CFL number (default
+  /// Longest step in units of sqrt(d/g) (default 0.07; standard gravity where there is none; less in deep water, as the
+  /// server has it) and CFL number (default
   /// 0.4). Where viscosity asks for a shorter one, nu dt / d^2 <= 0.1, that holds.
   void limit_steps(double factor, double cfl);
 
@@ -60,6 +61,7 @@ class WaterRun {
   void step(double dt);
 
   std::unique_ptr<TaskPool> pool_;
+  double layers_;  ///< depth at the start, in spacings
   FluidState state_;
   StepReport last_;
   RunCost sums_;

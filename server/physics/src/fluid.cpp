@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "fluid_stages.hpp"
 #include "physics/boundary.hpp"
@@ -168,6 +169,21 @@ void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report) {
   ++report.pair_passes;
 }
 
+namespace {
+
+/// Bounds that a particle has left the tank beyond. Mirrors and periodic faces have none: what a correction has moved
+/// beyond them is put back at the start of the next step.
+void set_bounds(const FluidParameters& parameters, StateArrays& arrays) {
+  constexpr float kAnywhere = std::numeric_limits<float>::infinity();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool wall = parameters.edges[axis] == Edge::kWall;
+    arrays.min[axis] = wall ? parameters.tank.min[axis] : -kAnywhere;
+    arrays.max[axis] = wall ? parameters.tank.max[axis] : kAnywhere;
+  }
+}
+
+}  // namespace
+
 void measure_fluid(TaskPool& pool, const FluidState& state, double dt, StepReport& report) {
   const FluidParticles& p = state.particles;
   StateArrays arrays{p.position.data(), p.velocity.data(), p.acceleration.data(), p.density.data(), {}, {}};
@@ -175,8 +191,7 @@ void measure_fluid(TaskPool& pool, const FluidState& state, double dt, StepRepor
     arrays.phase = p.phase.data();
     arrays.oil_mass = static_cast<float>(state.parameters.oil->rest_density / state.parameters.rest_density);
   }
-  std::copy_n(state.parameters.tank.min, 3, arrays.min);
-  std::copy_n(state.parameters.tank.max, 3, arrays.max);
+  set_bounds(state.parameters, arrays);
   std::vector<StateSums> partial((p.count + kPointBlock - 1) / kPointBlock);
   pool.for_each_range(p.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
     partial[begin / kPointBlock] = measure_state(begin, end, arrays, static_cast<float>(dt));

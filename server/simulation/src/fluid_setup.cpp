@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/deep_water.hpp"
 #include "values/lattice.hpp"
 
 namespace pelagos {
@@ -103,6 +104,7 @@ FluidParameters fluid_parameters(const Scene& scene, const Eigen::Vector3d& orig
   }
   for (std::size_t axis = 0; axis < 3; ++axis) p.edges[axis] = edge_of(scene.tank_edges[axis]);
   apply_solver(scene.solver, p);
+  suit_depth(depth_in_spacings(scene), p);
   return p;
 }
 
@@ -115,7 +117,8 @@ void apply_solver(const SolverSettings& solver, FluidParameters& parameters) {
 
 double largest_time_step(const Scene& scene) {
   if (scene.time_step.max_step > 0.0) return scene.time_step.max_step;
-  return 0.07 * std::sqrt(scene.particle_spacing / (scene.gravity > 0.0 ? scene.gravity : 9.81));
+  const double usual = 0.07 * std::sqrt(scene.particle_spacing / (scene.gravity > 0.0 ? scene.gravity : 9.81));
+  return usual * depth_measures(scheme_of(scene.solver.kind), depth_in_spacings(scene)).step_factor;
 }
 
 StartingParticles place_blocks(const Scene& scene, const Bodies& bodies, const Eigen::Vector3d& origin) {

@@ -10,14 +10,15 @@ namespace pelagos::validation {
 
 namespace {
 
-// A full box six depths long, oil of 950 kg/m^3 on its left, water on its right: both run along a mirror.
+// A box six depths long, oil of 950 kg/m^3 on its left, water on its right. Two spacings of room are left above: a full
+// box slowed the fronts by 20 % at 40 spacings of depth, at a density error of 0.5 %.
 constexpr double kHeight = 1.0, kLength = 6.0, kOil = 950.0;  // m
 constexpr double kFrom = 1.0, kTo = 2.2;                      // depths from the gate, between which speeds are measured
 
 double speed_scale() { return std::sqrt(9.81 * (1.0 - kOil / 1000.0) * kHeight); }
 
 void run_gate(Session& session, const Subject& subject) {
-  const TwoLiquids box{kLength, kHeight, kHeight, subject.spacing, kOil, false};
+  const TwoLiquids box{kLength, kHeight + 2.0 * subject.spacing, kHeight, subject.spacing, kOil, false};
   WaterRun run(session.options().threads, box.parameters(), {subject.solver},
                box.start([](double x, double) { return x < 0.5 * kLength; }));
   const double end = 2.6 * kHeight / (0.45 * speed_scale());

@@ -11,7 +11,8 @@ namespace pelagos::validation {
 
 namespace {
 
-// Two layers of half a wavelength each in a full box between mirrors, oil of 800 and water of 1000 kg/m^3.
+// Two layers of half a wavelength each, oil of 800 and water of 1000 kg/m^3, over a mirror. Two spacings of room are
+// left above: in a full box, particles that leave the lattice cannot but be compressed.
 constexpr double kLength = 1.0, kOil = 800.0, kWater = 1000.0;  // m
 constexpr double kWaveNumber = 2.0 * M_PI / kLength;
 constexpr double kFirst = 0.03, kLast = 0.5;  // k a: where the wave starts, and where theory ends
@@ -45,7 +46,7 @@ struct Wave {
 };
 
 Wave run_wave(Session& session, const Subject& subject, const char* name, bool oil_above, double end) {
-  const TwoLiquids box{kLength, kLength, kLength, subject.spacing, kOil, true};
+  const TwoLiquids box{kLength, kLength + 2.0 * subject.spacing, kLength, subject.spacing, kOil, true};
   WaterRun run(session.options().threads, box.parameters(), {subject.solver}, pushed(box, oil_above));
   Series series = session.series(subject, name, "t,ka");
   const double before = oil_mode(run.state(), kWaveNumber, kLength);

@@ -15,7 +15,8 @@ namespace pelagos {
 /// Sets scheme, methods and tolerances.
 void apply_solver(const SolverSettings& solver, FluidParameters& parameters);
 
-/// Largest time step: the scene's, or 0.07 sqrt(d / g). Without gravity 0.07 sqrt(d / 9.81).
+/// Largest time step: the scene's, or 0.07 sqrt(d / g), less in deep water (see deep_water.hpp). Without gravity
+/// 0.07 sqrt(d / 9.81).
 [[nodiscard]] double largest_time_step(const Scene& scene);
 
 /// Particles at the start.
