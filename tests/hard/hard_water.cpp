@@ -15,7 +15,7 @@ HardWater::HardWater(const FluidParameters& parameters, const std::vector<Float4
     : pool_(threads),
       state_(make_fluid(pool_, parameters, positions, phase)),
       step_factor_(depth_measures(parameters.scheme, layers).step_factor) {
-  suit_depth(layers, state_.parameters);
+  state_.parameters.filter *= depth_measures(parameters.scheme, layers).filter_factor;
   start_watch();
 }
 

@@ -28,7 +28,7 @@ FluidParameters with_solver(FluidParameters parameters, const SolverChoice& choi
   if (!choose_solver(choice.name, solver)) throw std::invalid_argument("no solver of the name " + choice.name);
   if (choice.tolerance > 0.0) solver.density.tolerance = solver.divergence.tolerance = choice.tolerance;
   apply_solver(solver, parameters);
-  suit_depth(layers, parameters);
+  parameters.filter *= depth_measures(parameters.scheme, layers).filter_factor;
   if (parameters.viscosity < 0.0) parameters.viscosity = default_viscosity(solver.kind, parameters.spacing);
   if (parameters.oil && parameters.oil->viscosity < 0.0)
     parameters.oil->viscosity = parameters.oil->rest_density * parameters.viscosity;

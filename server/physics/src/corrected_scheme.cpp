@@ -25,13 +25,8 @@ namespace {
 /// undid.
 constexpr float kCompressionAllowed = 0.002F, kCompressionShare = 0.2F;
 
-/// A repair that is spread over steps has failed only where it leaves more than the velocity solve leaves to it.
 void repair_positions(TaskPool& pool, FluidState& state, StepReport& report) {
-  SolveSettings settings = state.parameters.density;
-  const int bound = state.parameters.repair_iterations;
-  if (bound > 0) settings.max_iterations = std::min(settings.max_iterations, bound);
-  solve_density(pool, state, settings, 0.0F, BodiesIn::kHold, report);
-  if (bound > 0 && report.density.residual < static_cast<double>(kCompressionAllowed)) report.density.converged = true;
+  solve_density(pool, state, 0.0F, BodiesIn::kHold, report);
   if (report.density.iterations == 0) return;
   report.capped = apply_correction(pool, state, {true, 0.0});
   extend_positions(pool, state);

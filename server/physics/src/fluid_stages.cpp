@@ -161,13 +161,13 @@ ConstraintProblem make_problem(const FluidState& state, const PairData& data, fl
   return problem;
 }
 
-void solve_density(TaskPool& pool, FluidState& state, const SolveSettings& settings, float warm_factor, BodiesIn bodies,
-                   StepReport& report) {
+void solve_density(TaskPool& pool, FluidState& state, float warm_factor, BodiesIn bodies, StepReport& report) {
   FluidParticles& p = state.particles;
   const PairData data = pair_data(state);
   for_each_particle(pool, state, [&](std::size_t i) { state.source[i] = p.density[i] - 1.0F; });
   const ConstraintProblem problem = make_problem(state, data, warm_factor, bodies);
-  report.density = solve_constraint(pool, problem, settings, p.density_pressure, state.work, report.pair_passes);
+  report.density =
+      solve_constraint(pool, problem, state.parameters.density, p.density_pressure, state.work, report.pair_passes);
 }
 
 std::uint32_t apply_correction(TaskPool& pool, FluidState& state, const CorrectionTargets& targets) {

@@ -44,8 +44,7 @@ enum class BodiesIn {
   kHold,    ///< bodies stay where they are
   kAnswer,  ///< bodies move with the pressure
 };
-void solve_density(TaskPool& pool, FluidState& state, const SolveSettings& settings, float warm_factor, BodiesIn bodies,
-                   StepReport& report);
+void solve_density(TaskPool& pool, FluidState& state, float warm_factor, BodiesIn bodies, StepReport& report);
 /// A constraint with state.source as it is.
 [[nodiscard]] ConstraintProblem make_problem(const FluidState& state, const PairData& data, float warm_factor,
                                              BodiesIn bodies);

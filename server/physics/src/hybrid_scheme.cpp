@@ -29,7 +29,7 @@ void advance_hybrid(TaskPool& pool, FluidState& state, double dt, Clock clock, S
     meet_bodies(pool, state);
   });
   run_stage(report, clock, Stage::kDensitySolve, [&] {
-    solve_density(pool, state, state.parameters.density, warm_factor(state, dt), BodiesIn::kAnswer, report);
+    solve_density(pool, state, warm_factor(state, dt), BodiesIn::kAnswer, report);
     // After a step that was suddenly cut short, u holds repairs that the longer step before left over; as a velocity
     // over the short step they would be a kick. They become one over half the longer step; the divergence solve does
     // the rest.

@@ -57,7 +57,7 @@ void advance_pbf(TaskPool& pool, FluidState& state, double dt, Clock clock, Step
       iterate_positions(pool, state, dt, report);
       return;
     }
-    solve_density(pool, state, state.parameters.density, warm_factor(state, dt), BodiesIn::kAnswer, report);
+    solve_density(pool, state, warm_factor(state, dt), BodiesIn::kAnswer, report);
     const CorrectionTargets targets{true, std::max(dt, state.last_dt / kLargestStepRatio)};
     report.capped = apply_correction(pool, state, targets);
     push_bodies(state, dt, targets);

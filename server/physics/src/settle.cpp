@@ -11,7 +11,7 @@ void settle_fluid(TaskPool& pool, FluidState& state, int steps) {
     sort_particles(pool, state);
     search_neighbors(pool, state, report);
     refresh_density(pool, state, report);
-    solve_density(pool, state, state.parameters.density, 0.0F, BodiesIn::kHold, report);
+    solve_density(pool, state, 0.0F, BodiesIn::kHold, report);
     apply_correction(pool, state, {true, 0.0});
   }
   if (steps == 0) return;

@@ -104,7 +104,7 @@ FluidParameters fluid_parameters(const Scene& scene, const Eigen::Vector3d& orig
   }
   for (std::size_t axis = 0; axis < 3; ++axis) p.edges[axis] = edge_of(scene.tank_edges[axis]);
   apply_solver(scene.solver, p);
-  suit_depth(depth_in_spacings(scene), p);
+  p.filter *= depth_measures(p.scheme, depth_in_spacings(scene)).filter_factor;
   return p;
 }
 

@@ -42,9 +42,6 @@ struct FluidParameters {
   double filter = 3.0;  ///< corrected scheme: strength of the velocity filter, no unit
   SolveSettings density;
   SolveSettings divergence;
-  /// Corrected scheme: the repair of positions takes no more iterations in a step and leaves the rest to the next ones.
-  /// 0: density.max_iterations. What deep water needs, see simulation/deep_water.hpp.
-  int repair_iterations = 0;
 
   [[nodiscard]] double volume() const { return spacing * spacing * spacing; }  ///< of a particle, m^3
 };
