@@ -80,6 +80,22 @@ TEST(Probes, ReadTheVelocityAtTheSurfaceOrWhereTheyAre) {
   EXPECT_EQ(readings[2].velocity, readings[0].velocity);
 }
 
+TEST(Probes, ReadTheWindWhereTheyAreAndNothingWithoutWind) {
+  Scene scene = deep_basin();
+  ProbeSettings mast = probe_at(1.0, 1.0);
+  mast.position.z() = 12.0;
+  scene.probes = {mast};
+  EXPECT_EQ(read_one(World(scene, {})).air, std::nullopt);
+  scene.wind.emplace();
+  scene.wind->velocity = {8.0, 0.0, 0.0};
+  scene.wind->amplitude = 0.0;
+  World world(scene, {});
+  const ProbeReading reading = read_one(world);
+  ASSERT_TRUE(reading.air.has_value());
+  EXPECT_EQ(*reading.air, world.air()->velocity_at(mast.position, 0.0));
+  EXPECT_NEAR(reading.air->x(), 8.0, 0.2);  // 10 m over the level of 2 m the log profile has its mean
+}
+
 TEST(Probes, SayWhereThereIsNoWater) {
   Scene scene = deep_basin();
   scene.water.blocks[0].max.x() = 2.0;

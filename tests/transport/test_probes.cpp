@@ -58,6 +58,21 @@ TEST(ProbeConversion, ReadingRoundTripInBothFrames) {
   }
 }
 
+TEST(ProbeConversion, AirIsInBothFrames) {
+  Snapshot snapshot;
+  snapshot.frame = 12;
+  ProbeReading reading = some_reading();
+  reading.air = Vector3d(4.0, -7.0, 0.5);
+  const pelagos_AirV1 enu = wire::air_to_wire(reading, snapshot, 17, pelagos_FRAME_ENU);
+  EXPECT_EQ(enu.source, 17U);
+  EXPECT_EQ(enu.probe, 4U);
+  EXPECT_EQ(enu.frame, 12U);
+  EXPECT_EQ(Vector3d(enu.velocity.x, enu.velocity.y, enu.velocity.z), Vector3d(4.0, -7.0, 0.5));
+  const pelagos_AirV1 ned = wire::air_to_wire(reading, snapshot, 17, pelagos_FRAME_NED);
+  EXPECT_EQ(Vector3d(ned.velocity.x, ned.velocity.y, ned.velocity.z), Vector3d(-7.0, 4.0, -0.5));
+  EXPECT_EQ(Vector3d(ned.position.x, ned.position.y, ned.position.z), Vector3d(2.0, 1.0, -3.0));
+}
+
 TEST(ProbeConversion, RequestsAreInTheWorldsAxesOrTheBodys) {
   const pelagos_ProbeRequestV1 world = wire::to_wire(some_probe(0), 3, pelagos_FRAME_NED);
   EXPECT_EQ(world.position.x, 2.0);  // north

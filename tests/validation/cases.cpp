@@ -115,7 +115,7 @@ const std::vector<Case>& all_cases() {
        run_oil_drop},
       {"oil_spill", "The paper's oil spill",
        "Its section VI.C: 64,251 particles of water and 10,179 of oil, at a tolerance of 0.1 %.",
-       "The paper's 2.44 s a step.", run_oil_spill},
+       "The paper's 2.44 s a step; a step of the same scene without oil.", run_oil_spill},
       {"work_precision", "Work and precision",
        "Three small problems while one knob is turned: tolerance, time step, resolution. Wall time for a simulated "
        "second "

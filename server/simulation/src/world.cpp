@@ -172,6 +172,13 @@ void World::fill_snapshot(Snapshot& snapshot, StepReport& report) {
   surface_.shape(input, *pool_, snapshot.particles);
 }
 
+std::vector<ProbeReading> World::read_probes() const {
+  std::vector<ProbeReading> readings = probes_.read(fluid_, bodies_, origin_, current_, clock_.time());
+  if (wind_)
+    for (ProbeReading& reading : readings) reading.air = wind_->air().velocity_at(reading.position, clock_.time());
+  return readings;
+}
+
 SceneInfo World::describe() const {
   SceneInfo info;
   info.scene = scene_.name;

@@ -255,7 +255,14 @@ class FramePublisher::Implementation {
     for (const ProbeReading& reading : snapshot.probes) {
       const pelagos_ProbeV1 sample = wire::to_wire(reading, snapshot, source_, frame_);
       count_write(probe_writer_->write(&sample), "probe");
+      if (reading.air) publish_air(reading, snapshot);
     }
+  }
+
+  void publish_air(const ProbeReading& reading, const Snapshot& snapshot) {
+    if (!air_writer_) air_writer_.emplace(*participant_, topics::air());
+    const pelagos_AirV1 sample = wire::air_to_wire(reading, snapshot, source_, frame_);
+    count_write(air_writer_->write(&sample), "air");
   }
 
   /// Status, and the wind with it.
@@ -305,8 +312,8 @@ class FramePublisher::Implementation {
   DdsWriter status_writer_, status_v1_writer_;
   DdsWriter wind_writer_;
   DdsWriter event_writer_;
-  std::optional<DdsWriter> load_writer_, probe_writer_;        ///< of the publisher thread
-  std::optional<DdsWriter> slick_writer_, oil_budget_writer_;  ///< of the publisher thread
+  std::optional<DdsWriter> load_writer_, probe_writer_, air_writer_;  ///< of the publisher thread
+  std::optional<DdsWriter> slick_writer_, oil_budget_writer_;         ///< of the publisher thread
 
   // Of the publisher thread alone.
   wire::OceanFrameSample frame_sample_;

@@ -134,6 +134,34 @@ void run_draft(Session& session, const Subject& subject, double ratio) {
   run.add({"drift in 6 s", 100.0 * way.norm() / kBox.size.x(), "% of L", "0", at_most(0.5, 20.0)});
 }
 
+struct HeldLoads {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();  ///< N, N m, world axes
+};
+
+/// Means from 2 to 4 s.
+HeldLoads held_loads(FloatingRun& run) {
+  HeldLoads sum;
+  run.advance_to(2.0);
+  const double begin = run.time();
+  run.advance_to(4.0, [&](const StepReport&) {
+    sum.force += run.impulse();
+    sum.moment += run.angular_impulse();
+  });
+  const double time = run.time() - begin;
+  return {sum.force / time, sum.moment / time};
+}
+
+/// A sphere held half-sunk: how deep inside a curved surface its samples have to lie.
+void run_held_sphere(Session& session, const Subject& subject) {
+  Scene scene = basin(subject);
+  scene.bodies = {body_of(SphereShape{0.8}, {1.6, 1.6, kDepth}, kWater)};
+  scene.bodies[0].drive = BodyDrive::kPose;
+  FloatingRun run(session, subject, scene, 4.0);
+  const double force = held_loads(run).force.z();
+  const double weight = kWater * kGravity * run.up_to(run.level()).volume;
+  run.add({"force error", 100.0 * (force / weight - 1.0), "%", "Archimedes", at_most(1.0, 10.0)});
+}
+
 /// A hull that is held, upright or heeled: the mean force and moment of still water.
 void run_held(Session& session, const Subject& subject, double heel_deg) {
   Scene scene = basin(subject);
@@ -142,23 +170,16 @@ void run_held(Session& session, const Subject& subject, double heel_deg) {
   scene.bodies[0].drive = BodyDrive::kPose;
   scene.bodies[0].orientation = Eigen::AngleAxisd(heel_deg * M_PI / 180.0, Eigen::Vector3d::UnitX());
   FloatingRun run(session, subject, scene, 4.0);
-  run.advance_to(2.0);
-  Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
-  const double begin = run.time();
-  run.advance_to(4.0, [&](const StepReport&) {
-    force += run.impulse();
-    moment += run.angular_impulse();
-  });
-  const double time = run.time() - begin;
+  const HeldLoads loads = held_loads(run);
   const Hydrostatics still = run.up_to(run.level());
   const double weight = kWater * kGravity * still.volume;
-  run.add({"force error", 100.0 * (force.z() / time / weight - 1.0), "%", "Archimedes", at_most(1.0, 10.0)});
+  run.add({"force error", 100.0 * (loads.force.z() / weight - 1.0), "%", "Archimedes", at_most(1.0, 10.0)});
   if (heel_deg == 0.0) {
     run.add({"draft in spacings", still.volume / (1.2 * 1.2) / subject.spacing, "d", "-"});
     return;
   }
   const double righting = (run.state().orientation * still.centre_of_buoyancy).cross(Eigen::Vector3d(0, 0, weight)).x();
-  run.add({"righting moment error", 100.0 * (moment.x() / time / righting - 1.0), "%",
+  run.add({"righting moment error", 100.0 * (loads.moment.x() / righting - 1.0), "%",
            "moment of the displaced water about the barge's middle", at_most(5.0, 40.0)});
 }
 
@@ -268,6 +289,7 @@ const Setup kSetups[] = {
     {"box 0.8", [](Session& s, const Subject& subject) { run_draft(s, subject, 0.8); }, false},
     {"barge held", [](Session& s, const Subject& subject) { run_held(s, subject, 0.0); }, true},
     {"barge heeled 10 deg", [](Session& s, const Subject& subject) { run_held(s, subject, 10.0); }, false},
+    {"sphere held", run_held_sphere, false},
     {"barge in a current", run_current, false, false},
     {"sphere let go", run_first_acceleration, true},
     {"sphere neutral", run_neutral, false, false},

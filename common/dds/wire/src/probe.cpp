@@ -38,6 +38,19 @@ pelagos_ProbeV1 to_wire(const ProbeReading& reading, const Snapshot& snapshot, s
   return wire;
 }
 
+pelagos_AirV1 air_to_wire(const ProbeReading& reading, const Snapshot& snapshot, std::uint64_t source,
+                          pelagos_WorldFrame frame) {
+  pelagos_AirV1 wire{};
+  wire.source = source;
+  wire.probe = reading.id;
+  wire.frame = snapshot.frame;
+  wire.simulation_time = snapshot.simulation_time;
+  wire.world_frame = frame;
+  wire.position = to_wire(turned(reading.position, frame));
+  wire.velocity = to_wire(turned(reading.air.value(), frame));
+  return wire;
+}
+
 ProbeReading from_wire(const pelagos_ProbeV1& wire) {
   const auto vector = [&](const pelagos_Vector3& v) { return turned(from_wire(v), wire.world_frame); };
   ProbeReading reading;

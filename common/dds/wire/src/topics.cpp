@@ -65,6 +65,13 @@ TopicSpec probe() {
   return {"probe_v1", &pelagos_ProbeV1_desc, writer, reader};
 }
 
+TopicSpec air() {
+  TopicSpec spec = probe();
+  spec.name = "air_v1";
+  spec.type = &pelagos_AirV1_desc;
+  return spec;
+}
+
 // Transient local, so that a server that starts after a bridge gets what it asked for.
 TopicSpec probe_request() {
   TopicQos reader = for_late({});

@@ -106,9 +106,7 @@ class World {
   [[nodiscard]] const Eigen::Vector3d& origin() const { return origin_; }  ///< m, world
   [[nodiscard]] const Bodies& bodies() const { return bodies_; }
   /// What the probes read now, by id.
-  [[nodiscard]] std::vector<ProbeReading> read_probes() const {
-    return probes_.read(fluid_, bodies_, origin_, current_, clock_.time());
-  }
+  [[nodiscard]] std::vector<ProbeReading> read_probes() const;
   [[nodiscard]] std::vector<std::uint32_t> probe_ids() const { return probes_.ids(); }
   /// The oil; nothing in a scene without.
   [[nodiscard]] const std::optional<OilSpill>& spill() const { return spill_; }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace pelagos {
@@ -25,6 +26,7 @@ struct ProbeReading {
   double height = 0.0;                                 ///< m, world: of the water's surface there
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   ///< unit, out of the water
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s, of the water, a current that it does not make included
+  std::optional<Eigen::Vector3d> air{};                ///< m/s, TOWARDS, of the wind at `position`; none without wind
 };
 
 /// Adds a probe, or replaces the one of the same id.

@@ -31,6 +31,9 @@ namespace pelagos::wire {
 [[nodiscard]] pelagos_ProbeV1 to_wire(const ProbeReading& reading, const Snapshot& snapshot, std::uint64_t source,
                                       pelagos_WorldFrame frame);
 [[nodiscard]] ProbeReading from_wire(const pelagos_ProbeV1& reading);
+/// Of a reading that has air.
+[[nodiscard]] pelagos_AirV1 air_to_wire(const ProbeReading& reading, const Snapshot& snapshot, std::uint64_t source,
+                                        pelagos_WorldFrame frame);
 
 /// Of a request that is not one to remove. World or body axes, as pelagos_ProbeRequestV1 says.
 [[nodiscard]] ProbeSettings from_wire(const pelagos_ProbeRequestV1& request);

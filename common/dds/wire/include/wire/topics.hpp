@@ -15,6 +15,7 @@ namespace pelagos::topics {
 [[nodiscard]] TopicSpec oil_budget();
 [[nodiscard]] TopicSpec body_load();
 [[nodiscard]] TopicSpec probe();
+[[nodiscard]] TopicSpec air();
 [[nodiscard]] TopicSpec probe_request();
 [[nodiscard]] TopicSpec event();
 [[nodiscard]] TopicSpec own_ship_pose();
