@@ -50,7 +50,7 @@ TEST_F(Ctl, PrintsTheStatusForPeople) {
   EXPECT_THAT(outcome.out, HasSubstr("scene      test, running"));
   EXPECT_THAT(outcome.out, HasSubstr("0.98 of real time"));
   EXPECT_THAT(outcome.out, HasSubstr("12.0 m/s from 270"));
-  EXPECT_THAT(outcome.out, HasSubstr("no pose yet"));
+  EXPECT_THAT(outcome.out, HasSubstr("without poses"));
   EXPECT_THAT(outcome.err, IsEmpty());
 }
 

@@ -121,6 +121,43 @@ TEST(OilSpill, DriftsWithACurrentThatTheTankCannotFollow) {
   EXPECT_NEAR(x / mass, 1.5 + 0.5 * 3.0, 0.25) << "the basin's own motion moves it besides";
 }
 
+/// Under the wind law that raises a sea at once the water itself runs far faster than 3 % of the wind.
+TEST(OilSpill, DriftsWithThreeHundredthsOfTheWindUnderEveryLaw) {
+  for (const WindLaw law : {WindLaw::kGust, WindLaw::kStress}) {
+    SCOPED_TRACE(static_cast<int>(law));
+    Scene scene = oily_basin(OilModel::kSlick);
+    scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kMirror, TankEdge::kMirror};
+    scene.wind.emplace();
+    scene.wind->law = law;
+    scene.wind->velocity = {10.0, 0.0, 0.0};
+    scene.wind->amplitude = 0.0;
+    World world = make_world(scene);
+    ASSERT_EQ(world.apply(OilCommand{SpillOil{{1.0, 2.0}, 0.001, 0.1}}), std::nullopt);
+    run_until(world, 3.0);
+    double x = 0.0, mass = 0.0;
+    for (const SlickDisc& disc : world.spill()->discs()) {
+      x += static_cast<double>(disc.mass) * static_cast<double>(disc.x);
+      mass += static_cast<double>(disc.mass);
+    }
+    ASSERT_GT(mass, 0.0);
+    EXPECT_NEAR((x / mass - 1.0) / 3.0, 0.03 * 10.0, 0.15) << "m/s";
+  }
+}
+
+/// 278 cubic metres a second into a basin of 25: the film takes what finds no room, and no step takes minutes.
+TEST(OilSpill, AFloodOfOilEndsInTheFilm) {
+  Scene scene = oily_basin(OilModel::kBoth);
+  World world = make_world(scene);
+  ReleaseOil flood = leak();
+  flood.rate = 1e6;
+  flood.duration = 2.0;
+  ASSERT_EQ(world.apply(OilCommand{flood}), std::nullopt);
+  run_until(world, 2.5);
+  const OilBudget budget = budget_of(world);
+  EXPECT_NEAR(to_kilograms(budget.ledger.released), 555.6 * 877.0, 0.01 * 555.6 * 877.0);
+  EXPECT_EQ(budget.held_back, 0.0);
+}
+
 TEST(OilSpill, TheSameBitsForAnyNumberOfThreads) {
   std::uint64_t hash = 0;
   OilLedger ledger;

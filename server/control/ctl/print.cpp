@@ -115,7 +115,7 @@ std::string describe_current(const proto::v1::Status& status) {
 }
 
 std::string describe_body(const proto::v1::BodyStatus& body) {
-  std::string pose = "no pose yet";
+  std::string pose = "without poses";
   switch (body.health()) {
     case proto::v1::BodyStatus::FRESH:
       pose = "pose fresh";

@@ -4,6 +4,8 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace pelagos {
@@ -14,6 +16,12 @@ constexpr double kFriction = 0.4;  ///< steel on steel or on a wet quay, roughly
 constexpr double kMargin = 0.02;   ///< of the length: shapes grow by so much
 /// Share of an overlap that is pushed out in a step, as a velocity.
 constexpr double kPushOut = 0.1;
+/// An overlap is pushed out no faster than this, in sqrt(g length): a body that a driven one or its own pose has forced
+/// deep into something comes out of it, and is not shot.
+constexpr double kPushOutSpeed = 1.0;
+/// |n_z| of what a led body may touch among things that do not give way. Its place is its leader's: it can answer a
+/// floor or a slope by heaving, a wall or a quay's side by nothing but a wild roll.
+constexpr double kLevel = 0.7;
 
 btVector3 to_bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 btQuaternion to_bullet(const Eigen::Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
@@ -58,6 +66,20 @@ struct BodyContacts::World {
     shapes.push_back(std::move(shape));
     return body;
   }
+  [[nodiscard]] double push_out_speed() const { return kPushOutSpeed * std::sqrt(9.81 * length); }
+  [[nodiscard]] static double reach(const btRigidBody& body) {
+    btVector3 centre;
+    btScalar radius = 0.0;
+    body.getCollisionShape()->getBoundingSphere(centre, radius);
+    return centre.length() + radius;
+  }
+  [[nodiscard]] static double fastest_point(const btRigidBody& body) {
+    return body.getLinearVelocity().length() + body.getAngularVelocity().length() * reach(body);
+  }
+  /// Contacts that no answer exists for go, overlaps count up to a bound.
+  void tame(btPersistentManifold& manifold, double deepest) const;
+  /// No contact makes a body faster than everything that moved before it, and the push out of an overlap.
+  void bound_speeds(double limit) const;
   void publish(btRigidBody& body, int group, int mask) { bullet.addCollisionObject(&body, group, mask); }
 
   std::unique_ptr<btCollisionShape> hull_shape(const TriangleMesh& mesh, const Hull& hull) const {
@@ -93,6 +115,40 @@ struct BodyContacts::World {
   std::vector<std::unique_ptr<btRigidBody>> bodies;
   std::vector<Hull> hulls;
 };
+
+namespace {
+
+bool is_led(const btCollisionObject& object) {
+  const btRigidBody* body = btRigidBody::upcast(&object);
+  return body != nullptr && body->getInvMass() > 0.0 && body->getLinearFactor().x() == 0.0;
+}
+bool goes_anywhere(const btCollisionObject& object) {
+  const btRigidBody* body = btRigidBody::upcast(&object);
+  return body != nullptr && body->getInvMass() > 0.0 && body->getLinearFactor().x() != 0.0;
+}
+
+}  // namespace
+
+void BodyContacts::World::tame(btPersistentManifold& manifold, double deepest) const {
+  const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+  const bool stuck = (is_led(a) || is_led(b)) && !goes_anywhere(a) && !goes_anywhere(b);
+  for (int k = manifold.getNumContacts() - 1; k >= 0; --k) {
+    btManifoldPoint& point = manifold.getContactPoint(k);
+    if (stuck && std::abs(point.m_normalWorldOnB.z()) < kLevel)
+      manifold.removeContactPoint(k);
+    else if (point.getDistance() < -deepest)
+      point.setDistance(-deepest);
+  }
+}
+
+void BodyContacts::World::bound_speeds(double limit) const {
+  for (const auto& body : bodies) {
+    if (body->getInvMass() == 0.0) continue;
+    const double speed = body->getLinearVelocity().length(), rim = body->getAngularVelocity().length() * reach(*body);
+    if (speed > limit) body->setLinearVelocity(body->getLinearVelocity() * (limit / speed));
+    if (rim > limit) body->setAngularVelocity(body->getAngularVelocity() * (limit / rim));
+  }
+}
 
 BodyContacts::BodyContacts(double length) : world_(std::make_unique<World>(length)) {}
 BodyContacts::~BodyContacts() = default;
@@ -156,10 +212,14 @@ bool BodyContacts::resolve(double dt) {
   w.bullet.performDiscreteCollisionDetection();
   const int count = w.dispatcher.getNumManifolds();
   std::vector<btPersistentManifold*> touching;
-  for (int k = 0; k < count; ++k)
-    if (w.dispatcher.getManifoldByIndexInternal(k)->getNumContacts() > 0)
-      touching.push_back(w.dispatcher.getManifoldByIndexInternal(k));
+  for (int k = 0; k < count; ++k) {
+    btPersistentManifold* manifold = w.dispatcher.getManifoldByIndexInternal(k);
+    w.tame(*manifold, w.push_out_speed() * dt / kPushOut);
+    if (manifold->getNumContacts() > 0) touching.push_back(manifold);
+  }
   if (touching.empty()) return false;
+  double fastest = 0.0;
+  for (const auto& body : w.bodies) fastest = std::max(fastest, World::fastest_point(*body));
   btContactSolverInfo settings;
   settings.m_timeStep = dt;
   settings.m_erp = settings.m_erp2 = kPushOut;
@@ -169,6 +229,7 @@ bool BodyContacts::resolve(double dt) {
   w.solver.prepareSolve(objects.size(), static_cast<int>(touching.size()));
   w.solver.solveGroup(&objects[0], objects.size(), touching.data(), static_cast<int>(touching.size()), nullptr, 0,
                       settings, nullptr, &w.dispatcher);
+  w.bound_speeds(fastest + w.push_out_speed());
   return true;
 }
 

@@ -18,6 +18,14 @@ Eigen::Vector3d to_world(const BodyState& state, const Eigen::Vector3d& body) {
   return state.orientation * body + state.position;
 }
 
+/// Whether a place (m, local) is in the tank or above or below it.
+bool is_over(const Region& tank, const Eigen::Vector3d& place) {
+  for (int axis = 0; axis < 2; ++axis)
+    if (!(place[axis] >= static_cast<double>(tank.min[axis]) && place[axis] <= static_cast<double>(tank.max[axis])))
+      return false;
+  return true;
+}
+
 /// The body's shape from its file or primitive.
 BodyShape shape_of(const BodySettings& settings, double spacing) {
   const MeshKind kind = settings.open ? MeshKind::kOpen : MeshKind::kClosed;
@@ -125,7 +133,10 @@ void Bodies::advance(double now, double dt, const Eigen::Vector3d& origin, Fluid
     if (body.driven) body.state = body.driven->advance(dt, now);
     body.held = body.free && now < body.settings.free_from;
     if (body.gives_way()) {
-      body.free->predict(dt, fluid.parameters.gravity, order);
+      if (body.driven && !is_over(fluid.parameters.tank, body.state.position - origin))
+        body.free->rest();
+      else
+        body.free->predict(dt, fluid.parameters.gravity, order);
       if (body.driven) body.free->lead(body.state);
       body.free->write_to(body.state);
     }

@@ -10,6 +10,8 @@ namespace pelagos {
 
 namespace {
 
+constexpr double kTouching = 0.1;  ///< spacings that a free body may overlap a wall by at the start
+
 std::string digits(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
@@ -57,6 +59,21 @@ void check_in_tank(const Scene& scene, double support_radius, const PlacedShape&
   const Eigen::AlignedBox3d place = place_of(body);
   faults.push_back("its surface lies outside the tank, at " + describe(place.min()) + " to " + describe(place.max()) +
                    " m; allowed: some of it within " + describe(scene.tank.min) + " to " + describe(scene.tank.max));
+}
+
+/// A free body that stood in a wall would be pushed out of it with a bang.
+void check_walls(const Scene& scene, const PlacedShape& body, std::vector<std::string>& faults) {
+  if (body.settings->drive != BodyDrive::kFree) return;
+  const Eigen::AlignedBox3d place = place_of(body);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (scene.tank_edges[static_cast<std::size_t>(axis)] == TankEdge::kPeriodic) continue;
+    const double room = std::min(place.min()[axis] - scene.tank.min[axis], scene.tank.max[axis] - place.max()[axis]);
+    if (room >= -kTouching * scene.particle_spacing) continue;
+    faults.push_back("stands in a wall of the tank: it reaches " + digits(-room) + " m beyond the face across " +
+                     std::string(1, "xyz"[axis]) + "; allowed for a FREE body: all of it inside the tank, " +
+                     describe(scene.tank.min) + " to " + describe(scene.tank.max));
+    return;
+  }
 }
 
 /// A body has no image beyond periodic faces.
@@ -150,6 +167,7 @@ std::vector<std::string> body_faults(const Scene& scene, double support_radius, 
     if (faults.empty()) {
       check_mass(scene, body, faults);
       check_in_tank(scene, support_radius, body, faults);
+      check_walls(scene, body, faults);
       check_faces(scene, support_radius, body, faults);
       check_rim(scene, body, faults);
       for (const PlacedShape& other : bodies)

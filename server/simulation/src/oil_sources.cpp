@@ -56,7 +56,8 @@ void OilSpill::run_sources(double dt, const SpillSea& sea, FluidState& fluid) {
 SourceWait OilSpill::bring_out(Source& source, bool film_due, bool over, const SpillSea& sea, FluidState& fluid) {
   if (model_ != OilModel::kSlick) {
     const SourceWait wait = make_particles(source, sea, fluid);
-    if (model_ != OilModel::kBoth || !(over || wait == SourceWait::kFull)) return wait;
+    const bool to_film = over || wait == SourceWait::kFull || wait == SourceWait::kNoWater;  // all of it oil by now
+    if (model_ != OilModel::kBoth || !to_film) return wait;
   }
   return film_due ? feed_film(source, sea) : source.status.wait;  // as it was when last tried
 }
@@ -152,11 +153,13 @@ void OilSpill::pile_to_particles(FluidState& fluid) {
   for (const ReturnedOil& oil : layer_.give_back()) {
     const auto surface = surface_.at(oil.position - origin_.head<2>());
     const double height = origin_.z() + (surface ? surface->height : fallback_level_) - 0.5 * spacing_;
-    for (std::size_t k = 0; k < oil.particles; ++k) {
-      const bool room = particles_ < most_particles_;
-      if (room && turn_to_oil(fluid, {oil.position.x(), oil.position.y(), height})) continue;
-      static_cast<void>(layer_.take(particle_mass(), oil.position, spacing_));  // back to the film
-    }
+    std::size_t left = oil.particles;
+    while (left > 0 && particles_ < most_particles_ && turn_to_oil(fluid, {oil.position.x(), oil.position.y(), height}))
+      --left;
+    if (left == 0) continue;
+    // What finds no room or no water goes back to the film, in one piece however much it is.
+    const auto pieces = static_cast<double>(left);
+    static_cast<void>(layer_.take(pieces * particle_mass(), oil.position, spacing_ * std::sqrt(pieces)));
   }
 }
 

@@ -14,7 +14,20 @@ constexpr double kFirstRing = 0.5;           // spacings; each ring is half as f
 void SpillSurroundings::sample(std::span<const Eigen::Vector2d> positions, std::span<SurfaceState> states) const {
   std::optional<Air::Moment> moment;
   if (sea_.air != nullptr) moment = sea_.air->at(sea_.time);
-  for (std::size_t i = 0; i < positions.size(); ++i) states[i] = at(positions[i], moment ? &*moment : nullptr);
+  std::optional<Eigen::Vector2d> driven;
+  if (moment && moment->wind.law != WindLaw::kStress) driven = surface_.mean_velocity().head<2>();
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    states[i] = at(positions[i], moment ? &*moment : nullptr);
+    if (driven) states[i].water_velocity += current_in_water(positions[i], states[i].height) - *driven;
+  }
+}
+
+/// The part of the current that the water itself moves with.
+Eigen::Vector2d SpillSurroundings::current_in_water(const Eigen::Vector2d& position, double height) const {
+  if (sea_.current == nullptr) return Eigen::Vector2d::Zero();
+  const Eigen::Vector3d place(position.x(), position.y(), height);
+  return (sea_.current->velocity_at(place, sea_.time) - sea_.current->unresolved_velocity_at(place, sea_.time))
+      .head<2>();
 }
 
 SurfaceState SpillSurroundings::at(const Eigen::Vector2d& position, const Air::Moment* moment) const {
@@ -29,7 +42,6 @@ SurfaceState SpillSurroundings::at(const Eigen::Vector2d& position, const Air::M
         sea_.current->unresolved_velocity_at({position.x(), position.y(), state.height}, sea_.time).head<2>();
   if (moment != nullptr) {
     state.wind = sea_.air->reference(*moment, {local.x(), local.y(), sea_.air->local_level()}).head<2>();
-    state.waves_carry = moment->wind.law != WindLaw::kStress;  // the others raise waves at once
   }
   if (!sea_.bodies.empty()) find_way_out(position, state);
   return state;

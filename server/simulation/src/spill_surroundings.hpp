@@ -6,6 +6,10 @@
 namespace pelagos {
 
 /// The slick's window on water, air and hulls at one instant.
+///
+/// Oil drifts with the current and 3 % of the wind. The wind laws that raise a sea within seconds (GUST, PAPER) push
+/// the surface of the patch far faster than that, so under them its mean velocity is taken off and the current put in
+/// its place: what waves, hulls and walls do to the water around the oil stays, and the drift is the share of the wind.
 class SpillSurroundings : public SlickSurroundings {
  public:
   /// @param spacing  m, d
@@ -16,6 +20,7 @@ class SpillSurroundings : public SlickSurroundings {
 
  private:
   [[nodiscard]] SurfaceState at(const Eigen::Vector2d& position, const Air::Moment* moment) const;
+  [[nodiscard]] Eigen::Vector2d current_in_water(const Eigen::Vector2d& position, double height) const;
   void find_way_out(const Eigen::Vector2d& position, SurfaceState& state) const;
 
   const SpillSea& sea_;

@@ -62,4 +62,14 @@ std::optional<SurfaceField::Sample> SurfaceField::at(const Eigen::Vector2d& loca
   return sample;
 }
 
+Eigen::Vector3d SurfaceField::mean_velocity() const {
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (const Cell& cell : cells_) {
+    momentum += cell.momentum;
+    count += cell.count;
+  }
+  return count > 0 ? Eigen::Vector3d(momentum / count) : momentum;
+}
+
 }  // namespace pelagos

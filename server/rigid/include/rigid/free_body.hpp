@@ -28,6 +28,10 @@ class FreeBody {
   /// Takes place, heading and their rates from where the body is led; the other freedoms are kept.
   void lead(const BodyState& leader);
 
+  /// Takes the velocities away, but for those that are led: where there is no water, nothing carries it and it does not
+  /// fall either.
+  void rest() { velocity_ = angular_velocity_ = Eigen::Vector3d::Zero(); }
+
   /// Adds what the water did beyond the prediction: a displacement of the centre, a turn, and the velocities after it.
   void take(const Eigen::Vector3d& displacement, const Eigen::Vector3d& turn, const Eigen::Vector3d& velocity,
             const Eigen::Vector3d& angular_velocity);

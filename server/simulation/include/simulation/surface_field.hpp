@@ -23,6 +23,8 @@ class SurfaceField {
   };
   /// Nothing where there is no water within a cell.
   [[nodiscard]] std::optional<Sample> at(const Eigen::Vector2d& local) const;
+  /// m/s, mean over the particles near the surface; 0 where there are none.
+  [[nodiscard]] Eigen::Vector3d mean_velocity() const;
 
  private:
   struct Cell {
