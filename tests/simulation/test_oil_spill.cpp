@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "basin.hpp"
+#include "oily_basin.hpp"
 #include "simulation/world.hpp"
 
 namespace pelagos {
@@ -12,27 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Optional;
 
-constexpr double kVolume = 0.25 * 0.25 * 0.25;  // m^3, of a particle of the basin
-
-Scene oily_basin(OilModel model) {
-  Scene scene = test::basin();
-  scene.oil.emplace();
-  scene.oil->properties = *find_oil("medium crude");
-  scene.oil->model = model;
-  return scene;
-}
-
 World make_world(const Scene& scene, int threads = 1) { return World(scene, {threads, nullptr, {}}); }
-
-void run_until(World& world, double time) {
-  while (world.time() < time - 1e-9) {
-    const WorldStep step = world.advance();
-    ASSERT_EQ(step.report.not_finite, 0U);
-    ASSERT_EQ(world.spill()->budget().ledger.balance(), 0) << "at " << world.time() << " s";
-  }
-}
-
-OilBudget budget_of(const World& world) { return world.spill()->budget(); }
 
 ReleaseOil leak() {
   ReleaseOil leak;
@@ -50,28 +30,29 @@ double largest_density(World& world, double time) {
 }
 
 TEST(OilSpill, ASourceBringsItsRateForItsTime) {
-  World world = make_world(oily_basin(OilModel::kParticles));
+  World world = make_world(test::oily_basin(OilModel::kParticles));
   EXPECT_EQ(world.apply(OilCommand{leak()}), std::nullopt);
-  run_until(world, 2.0);
-  const OilBudget oil = budget_of(world);
+  test::run_with_ledger(world, 2.0);
+  const OilBudget oil = test::budget_of(world);
   EXPECT_EQ(oil.particles, 32U);
   EXPECT_NEAR(to_kilograms(oil.ledger.submerged), 0.5 * 877.0, 0.05);
   EXPECT_EQ(oil.ledger.released, oil.ledger.submerged);
   EXPECT_NEAR(oil.displaced_water, 0.5 * 1000.0, 1e-6);
-  EXPECT_NEAR(oil.held_back, 0.0, kVolume * 877.0) << "less than a particle";
+  EXPECT_NEAR(oil.held_back, 0.0, test::kBasinParticle * 877.0) << "less than a particle";
 }
 
 TEST(OilSpill, MakesNoPressureSpike) {
-  World with = make_world(oily_basin(OilModel::kParticles)), without = make_world(oily_basin(OilModel::kParticles));
+  World with = make_world(test::oily_basin(OilModel::kParticles)),
+        without = make_world(test::oily_basin(OilModel::kParticles));
   ASSERT_EQ(with.apply(OilCommand{leak()}), std::nullopt);
   EXPECT_LT(largest_density(with, 1.0), largest_density(without, 1.0) + 0.03);
 }
 
 TEST(OilSpill, FilmTakesWhatTheSlickModelReleases) {
-  World world = make_world(oily_basin(OilModel::kSlick));
+  World world = make_world(test::oily_basin(OilModel::kSlick));
   ASSERT_EQ(world.apply(OilCommand{leak()}), std::nullopt);
-  run_until(world, 2.0);
-  const OilBudget oil = budget_of(world);
+  test::run_with_ledger(world, 2.0);
+  const OilBudget oil = test::budget_of(world);
   EXPECT_EQ(oil.particles, 0U);
   EXPECT_GT(oil.elements, 0U);
   EXPECT_GT(oil.area, 0.0);
@@ -80,39 +61,39 @@ TEST(OilSpill, FilmTakesWhatTheSlickModelReleases) {
 }
 
 TEST(OilSpill, OilGoesBetweenParticlesAndFilm) {
-  World world = make_world(oily_basin(OilModel::kBoth));
+  World world = make_world(test::oily_basin(OilModel::kBoth));
   ReleaseOil thin = leak();
-  thin.from = thin.to = {2.5, 2.0, 1.1};  // near the surface
-  thin.rate = 3600.0 * 2.0 * kVolume;     // two particles a second: never a layer
+  thin.from = thin.to = {2.5, 2.0, 1.1};            // near the surface
+  thin.rate = 3600.0 * 2.0 * test::kBasinParticle;  // two particles a second: never a layer
   ASSERT_EQ(world.apply(OilCommand{thin}), std::nullopt);
-  run_until(world, 3.0);
-  EXPECT_GT(budget_of(world).ledger.afloat, 0) << "lone particles became film";
-  EXPECT_EQ(budget_of(world).ledger.released, 2 * to_milligrams(kVolume * 877.0));
+  test::run_with_ledger(world, 3.0);
+  EXPECT_GT(test::budget_of(world).ledger.afloat, 0) << "lone particles became film";
+  EXPECT_EQ(test::budget_of(world).ledger.released, 2 * to_milligrams(test::kBasinParticle * 877.0));
 }
 
 TEST(OilSpill, SkimmerRecoversAndTellsWhenItIsDry) {
-  World world = make_world(oily_basin(OilModel::kSlick));
+  World world = make_world(test::oily_basin(OilModel::kSlick));
   ASSERT_EQ(world.apply(OilCommand{SetSkimmer{"rig", {2.5, 2.0}, 1.0, 500.0}}), std::nullopt);
   ASSERT_EQ(world.apply(OilCommand{SpillOil{{2.5, 2.0}, 0.05, 0.4}}), std::nullopt);
-  run_until(world, 1.0);
-  ASSERT_EQ(budget_of(world).skimmers.size(), 1U);
-  EXPECT_EQ(budget_of(world).skimmers[0].name, "rig");
-  EXPECT_GT(budget_of(world).ledger.recovered, 0);
-  EXPECT_EQ(budget_of(world).ledger.recovered, budget_of(world).skimmers[0].recovered);
+  test::run_with_ledger(world, 1.0);
+  ASSERT_EQ(test::budget_of(world).skimmers.size(), 1U);
+  EXPECT_EQ(test::budget_of(world).skimmers[0].name, "rig");
+  EXPECT_GT(test::budget_of(world).ledger.recovered, 0);
+  EXPECT_EQ(test::budget_of(world).ledger.recovered, test::budget_of(world).skimmers[0].recovered);
   ASSERT_EQ(world.apply(OilCommand{SetSkimmer{"far", {0.5, 0.5}, 0.1, 500.0}}), std::nullopt);
-  run_until(world, 1.2);
-  EXPECT_TRUE(budget_of(world).skimmers[0].dry) << "far, by name first, on dry water";
+  test::run_with_ledger(world, 1.2);
+  EXPECT_TRUE(test::budget_of(world).skimmers[0].dry) << "far, by name first, on dry water";
 }
 
 TEST(OilSpill, DriftsWithACurrentThatTheTankCannotFollow) {
-  Scene scene = oily_basin(OilModel::kSlick);
+  Scene scene = test::oily_basin(OilModel::kSlick);
   scene.tank_edges = {TankEdge::kMirror, TankEdge::kMirror, TankEdge::kMirror};
   World world = make_world(scene);
   ASSERT_EQ(world.apply(OilCommand{SpillOil{{1.5, 2.0}, 0.01, 0.3}}), std::nullopt);
   SetCurrent current;
   current.current.velocity = {0.5, 0.0, 0.0};
   ASSERT_EQ(world.apply(current), std::nullopt);
-  run_until(world, 3.0);
+  test::run_with_ledger(world, 3.0);
   double x = 0.0, mass = 0.0;
   for (const SlickDisc& disc : world.spill()->discs()) {
     x += static_cast<double>(disc.mass) * static_cast<double>(disc.x);
@@ -125,7 +106,7 @@ TEST(OilSpill, DriftsWithACurrentThatTheTankCannotFollow) {
 TEST(OilSpill, DriftsWithThreeHundredthsOfTheWindUnderEveryLaw) {
   for (const WindLaw law : {WindLaw::kGust, WindLaw::kStress}) {
     SCOPED_TRACE(static_cast<int>(law));
-    Scene scene = oily_basin(OilModel::kSlick);
+    Scene scene = test::oily_basin(OilModel::kSlick);
     scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kMirror, TankEdge::kMirror};
     scene.wind.emplace();
     scene.wind->law = law;
@@ -133,7 +114,7 @@ TEST(OilSpill, DriftsWithThreeHundredthsOfTheWindUnderEveryLaw) {
     scene.wind->amplitude = 0.0;
     World world = make_world(scene);
     ASSERT_EQ(world.apply(OilCommand{SpillOil{{1.0, 2.0}, 0.001, 0.1}}), std::nullopt);
-    run_until(world, 3.0);
+    test::run_with_ledger(world, 3.0);
     double x = 0.0, mass = 0.0;
     for (const SlickDisc& disc : world.spill()->discs()) {
       x += static_cast<double>(disc.mass) * static_cast<double>(disc.x);
@@ -146,14 +127,14 @@ TEST(OilSpill, DriftsWithThreeHundredthsOfTheWindUnderEveryLaw) {
 
 /// 278 cubic metres a second into a basin of 25: the film takes what finds no room, and no step takes minutes.
 TEST(OilSpill, AFloodOfOilEndsInTheFilm) {
-  Scene scene = oily_basin(OilModel::kBoth);
+  Scene scene = test::oily_basin(OilModel::kBoth);
   World world = make_world(scene);
   ReleaseOil flood = leak();
   flood.rate = 1e6;
   flood.duration = 2.0;
   ASSERT_EQ(world.apply(OilCommand{flood}), std::nullopt);
-  run_until(world, 2.5);
-  const OilBudget budget = budget_of(world);
+  test::run_with_ledger(world, 2.5);
+  const OilBudget budget = test::budget_of(world);
   EXPECT_NEAR(to_kilograms(budget.ledger.released), 555.6 * 877.0, 0.01 * 555.6 * 877.0);
   EXPECT_EQ(budget.held_back, 0.0);
 }
@@ -162,15 +143,15 @@ TEST(OilSpill, TheSameBitsForAnyNumberOfThreads) {
   std::uint64_t hash = 0;
   OilLedger ledger;
   for (const int threads : {1, 3}) {
-    World world = make_world(oily_basin(OilModel::kBoth), threads);
+    World world = make_world(test::oily_basin(OilModel::kBoth), threads);
     ASSERT_EQ(world.apply(OilCommand{leak()}), std::nullopt);
-    run_until(world, 1.5);
+    test::run_with_ledger(world, 1.5);
     if (threads == 1) {
       hash = state_hash(world.fluid().particles);
-      ledger = budget_of(world).ledger;
+      ledger = test::budget_of(world).ledger;
     } else {
       EXPECT_EQ(state_hash(world.fluid().particles), hash);
-      EXPECT_EQ(budget_of(world).ledger, ledger);
+      EXPECT_EQ(test::budget_of(world).ledger, ledger);
     }
   }
 }
@@ -179,7 +160,7 @@ TEST(OilSpill, RefusesWhatCannotBe) {
   World dry = make_world(test::basin());
   EXPECT_THAT(dry.apply(OilCommand{leak()}), Optional(HasSubstr("the scene has no oil")));
 
-  World world = make_world(oily_basin(OilModel::kParticles));
+  World world = make_world(test::oily_basin(OilModel::kParticles));
   ReleaseOil wrong = leak();
   wrong.from.x() = 7.0;
   EXPECT_THAT(world.apply(OilCommand{wrong}), Optional(AllOf(HasSubstr("from: (7, 2, 0.5) m is outside the tank"),
@@ -199,14 +180,14 @@ TEST(OilSpill, RefusesWhatCannotBe) {
 }
 
 TEST(OilSpill, ASourceWithoutAnEndStopsAtTheBound) {
-  Scene scene = oily_basin(OilModel::kParticles);
+  Scene scene = test::oily_basin(OilModel::kParticles);
   scene.oil->most_particles = 10;
   World world = make_world(scene);
   ReleaseOil endless = leak();
   endless.duration = INFINITY;
   ASSERT_EQ(world.apply(OilCommand{endless}), std::nullopt);
-  run_until(world, 1.0);
-  EXPECT_EQ(budget_of(world).particles, 10U);
+  test::run_with_ledger(world, 1.0);
+  EXPECT_EQ(test::budget_of(world).particles, 10U);
   EXPECT_EQ(world.apply(OilCommand{StopRelease{"leak"}}), std::nullopt);
 }
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "basin.hpp"
+#include "oily_basin.hpp"
 #include "world_access.hpp"
 
 namespace pelagos {
@@ -12,15 +12,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Optional;
-
-constexpr double kVolume = 0.25 * 0.25 * 0.25;  // m^3, of a particle of the basin
-
-Scene oily(OilModel model, Scene scene = test::basin()) {
-  scene.oil.emplace();
-  scene.oil->properties = *find_oil("medium crude");
-  scene.oil->model = model;
-  return scene;
-}
 
 ReleaseOil source_at(double x, double y, double z) {
   ReleaseOil source;
@@ -30,100 +21,90 @@ ReleaseOil source_at(double x, double y, double z) {
   return source;
 }
 
-void run_until(World& world, double time) {
-  while (world.time() < time - 1e-9) {
-    const WorldStep step = world.advance();
-    ASSERT_EQ(step.report.not_finite, 0U);
-    ASSERT_EQ(world.spill()->budget().ledger.balance(), 0) << "at " << world.time() << " s";
-  }
-}
-
-OilBudget budget_of(const World& world) { return world.spill()->budget(); }
-
 TEST(OilWaits, InTheAirAndIsCountedWhenTheSourceEnds) {
-  World world(oily(OilModel::kParticles), {1, nullptr, {}});
+  World world(test::oily_basin(OilModel::kParticles), {1, nullptr, {}});
   ReleaseOil high = source_at(2.5, 2.0, 2.9);  // farther above the water than oil falls: four spacings
   high.duration = 2.0;
   ASSERT_EQ(world.apply(OilCommand{high}), std::nullopt);
-  run_until(world, 1.9);
-  ASSERT_EQ(budget_of(world).sources.size(), 1U);
-  const SourceStatus source = budget_of(world).sources[0];
+  test::run_with_ledger(world, 1.9);
+  ASSERT_EQ(test::budget_of(world).sources.size(), 1U);
+  const SourceStatus source = test::budget_of(world).sources[0];
   EXPECT_EQ(source.name, "leak");
   EXPECT_EQ(source.wait, SourceWait::kNoWater);
-  EXPECT_NEAR(source.waiting, 1.9 - kVolume / 0.1, 0.05) << "since the first particle was due";
+  EXPECT_NEAR(source.waiting, 1.9 - test::kBasinParticle / 0.1, 0.05) << "since the first particle was due";
   EXPECT_NEAR(source.pending, 0.19 * 877.0, 1.0);
-  run_until(world, 2.1);
-  EXPECT_TRUE(budget_of(world).sources.empty());
-  EXPECT_EQ(budget_of(world).ledger.released, 0);
-  EXPECT_NEAR(budget_of(world).held_back, 0.2 * 877.0, 1e-6);
+  test::run_with_ledger(world, 2.1);
+  EXPECT_TRUE(test::budget_of(world).sources.empty());
+  EXPECT_EQ(test::budget_of(world).ledger.released, 0);
+  EXPECT_NEAR(test::budget_of(world).held_back, 0.2 * 877.0, 1e-6);
 }
 
 TEST(OilWaits, AtTheBoundOnParticles) {
-  Scene scene = oily(OilModel::kParticles);
+  Scene scene = test::oily_basin(OilModel::kParticles);
   scene.oil->most_particles = 3;
   World world(scene, {1, nullptr, {}});
   ASSERT_EQ(world.apply(OilCommand{source_at(2.5, 2.0, 0.5)}), std::nullopt);
-  run_until(world, 0.4);
-  EXPECT_EQ(budget_of(world).sources[0].wait, SourceWait::kNone);
-  run_until(world, 1.0);
-  EXPECT_EQ(budget_of(world).particles, 3U);
-  EXPECT_EQ(budget_of(world).sources[0].wait, SourceWait::kFull);
+  test::run_with_ledger(world, 0.4);
+  EXPECT_EQ(test::budget_of(world).sources[0].wait, SourceWait::kNone);
+  test::run_with_ledger(world, 1.0);
+  EXPECT_EQ(test::budget_of(world).particles, 3U);
+  EXPECT_EQ(test::budget_of(world).sources[0].wait, SourceWait::kFull);
 }
 
 TEST(OilWaits, NotAtTheBoundWhereThereIsAFilm) {
-  Scene scene = oily(OilModel::kBoth);
+  Scene scene = test::oily_basin(OilModel::kBoth);
   scene.oil->most_particles = 3;
   World world(scene, {1, nullptr, {}});
   ASSERT_EQ(world.apply(OilCommand{source_at(2.5, 2.0, 0.5)}), std::nullopt);
   while (world.time() < 2.0) {
-    run_until(world, world.time() + 0.05);
-    EXPECT_EQ(budget_of(world).sources[0].waiting, 0.0);
+    test::run_with_ledger(world, world.time() + 0.05);
+    EXPECT_EQ(test::budget_of(world).sources[0].waiting, 0.0);
   }
-  EXPECT_GT(budget_of(world).ledger.afloat, 0);
+  EXPECT_GT(test::budget_of(world).ledger.afloat, 0);
 }
 
 TEST(OilWaits, OnDryGroundUntilTheWaterComes) {
   Scene scene = test::basin();
   scene.tank.max.x() = 10.0;
   scene.water.settle_steps = 0;  // 5 m of water begin to run out over 5 m of dry floor
-  World world(oily(OilModel::kSlick, scene), {1, nullptr, {}});
+  World world(test::oily_basin(OilModel::kSlick, scene), {1, nullptr, {}});
   ASSERT_EQ(world.apply(OilCommand{source_at(9.5, 2.0, 0.2)}), std::nullopt);
-  run_until(world, 0.6);
-  EXPECT_EQ(budget_of(world).sources[0].wait, SourceWait::kNoWater);
-  EXPECT_EQ(budget_of(world).ledger.released, 0);
-  run_until(world, 4.0);
-  EXPECT_EQ(budget_of(world).sources[0].wait, SourceWait::kNone);
-  EXPECT_GT(to_kilograms(budget_of(world).ledger.released), 0.3 * 877.0) << "what waited came too";
+  test::run_with_ledger(world, 0.6);
+  EXPECT_EQ(test::budget_of(world).sources[0].wait, SourceWait::kNoWater);
+  EXPECT_EQ(test::budget_of(world).ledger.released, 0);
+  test::run_with_ledger(world, 4.0);
+  EXPECT_EQ(test::budget_of(world).sources[0].wait, SourceWait::kNone);
+  EXPECT_GT(to_kilograms(test::budget_of(world).ledger.released), 0.3 * 877.0) << "what waited came too";
 }
 
 TEST(OilWaits, ASourceThatIsStoppedBringsOutWhatHasFlowed) {
-  World world(oily(OilModel::kSlick), {1, nullptr, {}});
+  World world(test::oily_basin(OilModel::kSlick), {1, nullptr, {}});
   ASSERT_EQ(world.apply(OilCommand{source_at(2.5, 2.0, 0.5)}), std::nullopt);
-  run_until(world, 0.8);
+  test::run_with_ledger(world, 0.8);
   const double time = world.time();
   ASSERT_EQ(world.apply(OilCommand{StopRelease{"leak"}}), std::nullopt);
   EXPECT_THAT(world.apply(OilCommand{StopRelease{"leak"}}), Optional(HasSubstr("no source \"leak\" is running")));
-  run_until(world, 1.5);
-  EXPECT_NEAR(to_kilograms(budget_of(world).ledger.released), 0.1 * time * 877.0, 1e-3);
-  EXPECT_EQ(budget_of(world).held_back, 0.0);
-  EXPECT_TRUE(budget_of(world).sources.empty());
+  test::run_with_ledger(world, 1.5);
+  EXPECT_NEAR(to_kilograms(test::budget_of(world).ledger.released), 0.1 * time * 877.0, 1e-3);
+  EXPECT_EQ(test::budget_of(world).held_back, 0.0);
+  EXPECT_TRUE(test::budget_of(world).sources.empty());
 }
 
 TEST(OilWaits, NotInAHullThatIsNoWiderThanItsReach) {
   const test::CubeFile cube;
-  World world(oily(OilModel::kParticles, test::basin_with_cube(cube)), {1, nullptr, {}});
+  World world(test::oily_basin(OilModel::kParticles, test::basin_with_cube(cube)), {1, nullptr, {}});
   EXPECT_THAT(world.apply(OilCommand{source_at(2.5, 2.0, 0.9)}),
               Optional(HasSubstr("from: (2.5, 2, 0.9) m is inside a hull")));
   ReleaseOil breach = source_at(0.0, 0.0, -0.2);
   breach.body = 1;
   ASSERT_EQ(world.apply(OilCommand{breach}), std::nullopt);
-  run_until(world, 1.0);
-  EXPECT_GT(budget_of(world).particles, 0U) << "it comes out beside the cube";
+  test::run_with_ledger(world, 1.0);
+  EXPECT_GT(test::budget_of(world).particles, 0U) << "it comes out beside the cube";
 }
 
 /// Oil in all its places: particles, film, held by a boom, skimmed, on its way out of two sources.
 World busy_world() {
-  Scene scene = oily(OilModel::kBoth);
+  Scene scene = test::oily_basin(OilModel::kBoth);
   scene.on_fault = FaultPolicy::kRestore;
   scene.oil->evaporation = scene.oil->emulsification = true;
   World world(scene, {1, nullptr, {}});
@@ -133,7 +114,7 @@ World busy_world() {
            deep, high, SpillOil{{3.5, 2.0}, 0.05, 0.5}, SetBoom{"boom", {{4.0, 1.0}, {4.0, 3.0}}, 0.5, 0.36},
            SetSkimmer{"rig", {3.5, 2.0}, 0.5, 20.0}})
     EXPECT_EQ(world.apply(command), std::nullopt);
-  run_until(world, 1.5);
+  test::run_with_ledger(world, 1.5);
   return world;
 }
 
@@ -166,7 +147,7 @@ void break_a_particle(World& world) {
 
 TEST(OilRestored, IsAsItWasBeforeTheFault) {
   World world = busy_world();
-  const OilBudget before = budget_of(world);
+  const OilBudget before = test::budget_of(world);
   EXPECT_GT(before.ledger.submerged, 0);
   EXPECT_GT(before.ledger.afloat + before.ledger.contained, 0);
   EXPECT_GT(before.ledger.recovered, 0);
@@ -174,12 +155,12 @@ TEST(OilRestored, IsAsItWasBeforeTheFault) {
   const std::vector<std::uint8_t> phase = world.fluid().particles.phase;
   break_a_particle(world);
   ASSERT_EQ(world.advance().fault, StepFault::kRestored);
-  expect_same(budget_of(world), before);
+  expect_same(test::budget_of(world), before);
   expect_same(world.spill()->discs(), discs);
   EXPECT_EQ(world.fluid().particles.phase, phase);
-  EXPECT_EQ(budget_of(world).ledger.balance(), 0);
-  run_until(world, 3.0);  // the ledger closes in every step
-  EXPECT_GT(budget_of(world).ledger.released, before.ledger.released);
+  EXPECT_EQ(test::budget_of(world).ledger.balance(), 0);
+  test::run_with_ledger(world, 3.0);  // the ledger closes in every step
+  EXPECT_GT(test::budget_of(world).ledger.released, before.ledger.released);
 }
 
 TEST(OilRestored, KeepsWhatWasOrderedSinceTheLastStep) {
@@ -187,13 +168,13 @@ TEST(OilRestored, KeepsWhatWasOrderedSinceTheLastStep) {
   ASSERT_EQ(world.apply(OilCommand{SetBoom{"late", {{1.0, 1.0}, {1.0, 3.0}}, 0.5, 0.36}}), std::nullopt);
   ASSERT_EQ(world.apply(OilCommand{RemoveSkimmer{"rig"}}), std::nullopt);
   ASSERT_EQ(world.apply(OilCommand{SpillOil{{2.0, 2.0}, 0.01, 0.3}}), std::nullopt);
-  const OilBudget ordered = budget_of(world);
+  const OilBudget ordered = test::budget_of(world);
   break_a_particle(world);
   ASSERT_EQ(world.advance().fault, StepFault::kRestored);
-  expect_same(budget_of(world), ordered);
-  EXPECT_TRUE(budget_of(world).skimmers.empty());
+  expect_same(test::budget_of(world), ordered);
+  EXPECT_TRUE(test::budget_of(world).skimmers.empty());
   EXPECT_EQ(world.apply(OilCommand{RemoveBoom{"late"}}), std::nullopt) << "its event has been told";
-  run_until(world, world.time() + 0.5);
+  test::run_with_ledger(world, world.time() + 0.5);
 }
 
 }  // namespace

@@ -118,19 +118,15 @@ struct BodyContacts::World {
 
 namespace {
 
-bool is_led(const btCollisionObject& object) {
-  const btRigidBody* body = btRigidBody::upcast(&object);
-  return body != nullptr && body->getInvMass() > 0.0 && body->getLinearFactor().x() == 0.0;
-}
-bool goes_anywhere(const btCollisionObject& object) {
-  const btRigidBody* body = btRigidBody::upcast(&object);
-  return body != nullptr && body->getInvMass() > 0.0 && body->getLinearFactor().x() != 0.0;
-}
+bool gives_way(const btRigidBody& body) { return body.getInvMass() > 0.0; }
+bool is_led(const btRigidBody& body) { return gives_way(body) && body.getLinearFactor().x() == 0.0; }
+bool goes_anywhere(const btRigidBody& body) { return gives_way(body) && !is_led(body); }
 
 }  // namespace
 
 void BodyContacts::World::tame(btPersistentManifold& manifold, double deepest) const {
-  const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+  // All that is in this world are rigid bodies.
+  const btRigidBody &a = *btRigidBody::upcast(manifold.getBody0()), &b = *btRigidBody::upcast(manifold.getBody1());
   const bool stuck = (is_led(a) || is_led(b)) && !goes_anywhere(a) && !goes_anywhere(b);
   for (int k = manifold.getNumContacts() - 1; k >= 0; --k) {
     btManifoldPoint& point = manifold.getContactPoint(k);
@@ -143,7 +139,7 @@ void BodyContacts::World::tame(btPersistentManifold& manifold, double deepest) c
 
 void BodyContacts::World::bound_speeds(double limit) const {
   for (const auto& body : bodies) {
-    if (body->getInvMass() == 0.0) continue;
+    if (!gives_way(*body)) continue;
     const double speed = body->getLinearVelocity().length(), rim = body->getAngularVelocity().length() * reach(*body);
     if (speed > limit) body->setLinearVelocity(body->getLinearVelocity() * (limit / speed));
     if (rim > limit) body->setAngularVelocity(body->getAngularVelocity() * (limit / rim));

@@ -61,13 +61,18 @@ void check_in_tank(const Scene& scene, double support_radius, const PlacedShape&
                    " m; allowed: some of it within " + describe(scene.tank.min) + " to " + describe(scene.tank.max));
 }
 
+/// m, between a body and the nearer face of the tank across an axis; negative: it reaches beyond.
+double room_across(const Scene& scene, const Eigen::AlignedBox3d& place, int axis) {
+  return std::min(place.min()[axis] - scene.tank.min[axis], scene.tank.max[axis] - place.max()[axis]);
+}
+
 /// A free body that stood in a wall would be pushed out of it with a bang.
 void check_walls(const Scene& scene, const PlacedShape& body, std::vector<std::string>& faults) {
   if (body.settings->drive != BodyDrive::kFree) return;
   const Eigen::AlignedBox3d place = place_of(body);
   for (int axis = 0; axis < 3; ++axis) {
     if (scene.tank_edges[static_cast<std::size_t>(axis)] == TankEdge::kPeriodic) continue;
-    const double room = std::min(place.min()[axis] - scene.tank.min[axis], scene.tank.max[axis] - place.max()[axis]);
+    const double room = room_across(scene, place, axis);
     if (room >= -kTouching * scene.particle_spacing) continue;
     faults.push_back("stands in a wall of the tank: it reaches " + digits(-room) + " m beyond the face across " +
                      std::string(1, "xyz"[axis]) + "; allowed for a FREE body: all of it inside the tank, " +
@@ -81,7 +86,7 @@ void check_faces(const Scene& scene, double support_radius, const PlacedShape& b
   const Eigen::AlignedBox3d place = place_of(body);
   for (int axis = 0; axis < 3; ++axis) {
     if (scene.tank_edges[static_cast<std::size_t>(axis)] != TankEdge::kPeriodic) continue;
-    const double room = std::min(place.min()[axis] - scene.tank.min[axis], scene.tank.max[axis] - place.max()[axis]);
+    const double room = room_across(scene, place, axis);
     if (room >= support_radius) continue;
     faults.push_back("reaches to " + digits(room) + " m from a periodic face across " + std::string(1, "xyz"[axis]) +
                      "; allowed: at least a support radius, " + digits(support_radius) +

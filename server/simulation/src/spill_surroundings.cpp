@@ -12,6 +12,7 @@ constexpr double kFirstRing = 0.5;           // spacings; each ring is half as f
 }  // namespace
 
 void SpillSurroundings::sample(std::span<const Eigen::Vector2d> positions, std::span<SurfaceState> states) const {
+  if (positions.empty()) return;
   std::optional<Air::Moment> moment;
   if (sea_.air != nullptr) moment = sea_.air->at(sea_.time);
   std::optional<Eigen::Vector2d> driven;
