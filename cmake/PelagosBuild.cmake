@@ -11,6 +11,16 @@ set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 option(PELAGOS_WERROR "Treat warnings as errors" OFF)
 set(PELAGOS_SANITIZE "" CACHE STRING "Sanitizers to build with, as in -fsanitize=, e.g. address,undefined or thread")
 
+# ccache, where it is installed, keeps what was compiled, for every clone of the project: paths inside the clone are
+# hashed relative to it, and the folder of the build is not hashed.
+find_program(PELAGOS_CCACHE ccache DOC "Keeps compiled files for the next build; empty: not used")
+if(PELAGOS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+    CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=true CCACHE_SLOPPINESS=pch_defines,time_macros
+    ${PELAGOS_CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
+endif()
+
 # Results must not depend on whether the compiler fuses a multiply and an add somewhere else.
 add_compile_options(-ffp-contract=off)
 if(PELAGOS_SANITIZE)
@@ -81,10 +91,9 @@ function(pelagos_add_test name)
     set(ARG_TIMEOUT 120)
   endif()
   add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main pelagos_warnings)
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} pelagos_test_places GTest::gmock GTest::gtest_main pelagos_warnings)
   target_compile_options(${name} PRIVATE ${PELAGOS_TEST_OPTIONS})
   target_precompile_headers(${name} REUSE_FROM pelagos_test_headers)
-  target_compile_definitions(${name} PRIVATE PELAGOS_SOURCE_DIR="${CMAKE_SOURCE_DIR}" PELAGOS_BINARY_DIR="${CMAKE_BINARY_DIR}")
   if(ARG_LABELS STREQUAL "unit")
     add_dependencies(unit_tests ${name})
   endif()

@@ -9,6 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "../support/places.hpp"
 #include "running_program.hpp"
 
 namespace pelagos {
@@ -21,8 +22,8 @@ using testing::HasSubstr;
 /// The script with the programs of the build under test.
 class Demo : public testing::Test {
  protected:
-  Demo() { setenv("PELAGOS_BIN", PELAGOS_BINARY_DIR "/bin", 1); }
-  const std::string demo_ = PELAGOS_SOURCE_DIR "/deploy/demo";
+  Demo() { setenv("PELAGOS_BIN", test::build_path("bin").c_str(), 1); }
+  const std::string demo_ = test::source_path("deploy/demo");
 };
 
 /// A finished demo takes its seconds, the start of the server and the last pictures; this is for a machine with other

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "../support/places.hpp"
 #include "running_program.hpp"
 
 namespace pelagos {
@@ -23,8 +24,8 @@ constexpr seconds kPatience{60};
 /// For what takes seconds, on such a machine.
 constexpr seconds kLongPatience{240};
 
-std::string program(const std::string& name) { return PELAGOS_BINARY_DIR "/bin/" + name; }
-std::string scene(const std::string& name) { return PELAGOS_SOURCE_DIR "/scenes/" + name + ".scene"; }
+std::string program(const std::string& name) { return test::build_path("bin/") + name; }
+std::string scene(const std::string& name) { return test::source_path("scenes/") + name + ".scene"; }
 
 /// A TCP socket on loopback that listens on a free port.
 class TakenPort {

@@ -3,13 +3,14 @@
 #include <cmath>
 
 #include "../support/csv.hpp"
+#include "../support/places.hpp"
 #include "pair_scene.hpp"
 #include "physics/kernel.hpp"
 
 namespace pelagos::test {
 namespace {
 
-const std::string kData = PELAGOS_SOURCE_DIR "/tests/physics/data/";
+const std::string kData = test::source_path("tests/physics/data/");
 
 TEST(CubicSpline, IntegratesToOne) {
   const double radius = 0.13;

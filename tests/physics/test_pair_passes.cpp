@@ -3,6 +3,7 @@
 #include <string>
 
 #include "../support/csv.hpp"
+#include "../support/places.hpp"
 #include "pair_scene.hpp"
 
 namespace pelagos::test {
@@ -117,7 +118,7 @@ TEST(PairPasses, MatchSumsOverAllPairsInDoublePrecision) {
 TEST(PairPasses, LatticeSumsMatchTheReference) {
   TaskPool pool(2);
   int rows = 0;
-  for (const auto& row : read_csv(PELAGOS_SOURCE_DIR "/tests/physics/data/lattice_sums.csv")) {
+  for (const auto& row : read_csv(test::source_path("tests/physics/data/lattice_sums.csv"))) {
     SCOPED_TRACE("support " + row[2] + " spacings");
     const double d = 0.05, support = std::stod(row[2]);
     const PairScene cube(pool, lattice({9, 9, 9}, d), {}, d, support * d);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "../support/places.hpp"
 #include "rigid/body_shape.hpp"
 #include "shapes/primitive.hpp"
 #include "test_meshes.hpp"
@@ -171,7 +172,7 @@ TEST(BodyShape, LargeHullHasAboutOneSampleForEachSpacingSquaredAndNoHole) {
 }
 
 TEST(Coaster, IsWatertightAndSampledAtOneMetre) {
-  const std::string path = PELAGOS_SOURCE_DIR "/assets/meshes/coaster_hull.obj";
+  const std::string path = test::source_path("assets/meshes/coaster_hull.obj");
   ASSERT_TRUE(std::filesystem::exists(path));
   const BodyShape shape = load_body_shape(path, {}, 1.0, 0.6);
   ASSERT_TRUE(shape.faults.empty()) << shape.faults.front();

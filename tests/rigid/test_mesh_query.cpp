@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "../support/places.hpp"
 #include "rigid/mesh_query.hpp"
 #include "test_meshes.hpp"
 #include "waves/splitmix.hpp"
@@ -73,7 +74,7 @@ TEST(MeshQuery, FindsNoIntersectionInSoundMeshes) {
   EXPECT_EQ(MeshQuery(make_box({0, 0, 0}, {1, 2, 3})).count_self_intersections(), 0u);
   EXPECT_EQ(MeshQuery(make_sphere(2.0, 30)).count_self_intersections(), 0u);
   for (const char* hull : {"coaster_hull", "tanker_hull", "lighthouse_hull"}) {  // with faces in one plane side by side
-    const MeshFile file = read_mesh(std::string(PELAGOS_SOURCE_DIR "/assets/meshes/") + hull + ".obj");
+    const MeshFile file = read_mesh(test::source_path("assets/meshes/") + hull + ".obj");
     ASSERT_TRUE(file.faults.empty()) << file.faults.front();
     EXPECT_EQ(MeshQuery(file.mesh).count_self_intersections(), 0u) << hull;
   }

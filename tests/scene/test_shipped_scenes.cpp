@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "../support/places.hpp"
 #include "scene/read_scene.hpp"
 #include "values/beaufort.hpp"
 #include "values/lattice.hpp"
@@ -10,7 +11,7 @@ namespace pelagos {
 namespace {
 
 Scene load(const char* name) {
-  const SceneResult result = read_scene_file(std::string(PELAGOS_SOURCE_DIR) + "/scenes/" + name);
+  const SceneResult result = read_scene_file(test::source_path("scenes/") + name);
   EXPECT_TRUE(result) << result.report();
   return result.scene.value_or(Scene{});
 }
@@ -136,7 +137,7 @@ TEST(ShippedScenes, TankerIsThePapersInMetresOfTwentyALength) {
 
 TEST(ShippedScenes, EverySceneLoads) {
   int scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(PELAGOS_SOURCE_DIR) + "/scenes")) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::source_path("scenes"))) {
     if (entry.path().extension() != ".scene") continue;
     ++scenes;
     const SceneResult result = read_scene_file(entry.path());

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "../support/csv.hpp"
+#include "../support/places.hpp"
 #include "surface/anisotropy.hpp"
 #include "waves/splitmix.hpp"
 
@@ -47,7 +48,7 @@ TEST(Anisotropy, EigenvaluesSetTheSemiAxes) {
     std::function<bool(int, int, int)> keep;
   } sets[] = {{"interior", interior}, {"flat surface", flat_surface}, {"edge 90deg", edge}, {"corner", corner}};
   int compared = 0;
-  for (const auto& row : test::read_csv(PELAGOS_SOURCE_DIR "/tests/surface/data/anisotropy_reference.csv"))
+  for (const auto& row : test::read_csv(test::source_path("tests/surface/data/anisotropy_reference.csv")))
     for (const auto& set : sets) {
       if (row[0] != set.name) continue;
       const double support_radius = std::stod(row[1]);

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "../support/places.hpp"
 #include "track.hpp"
 
 namespace pelagos::example {
@@ -88,7 +89,7 @@ TEST(OvalTrackTest, SeaMotionHasItsAmplitudes) {
 }
 
 TEST(ShippedTrack, LaysTheCoasterAlongsideTheQuayAtASeamanlikeSpeed) {
-  std::ifstream file(std::string(PELAGOS_SOURCE_DIR) + "/examples/bridge/tracks/alongside.csv");
+  std::ifstream file(test::source_path("examples/bridge/tracks/alongside.csv"));
   std::string error;
   const auto path = read_track(file, "alongside.csv", error);
   ASSERT_TRUE(path) << error;

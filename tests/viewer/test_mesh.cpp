@@ -8,12 +8,13 @@
 #include <map>
 #include <sstream>
 
+#include "../support/places.hpp"
 #include "renderer/mesh.hpp"
 
 namespace pelagos {
 namespace {
 
-const std::filesystem::path kMeshes = std::filesystem::path(PELAGOS_SOURCE_DIR) / "assets/meshes";
+const std::filesystem::path kMeshes = test::source_path("assets/meshes");
 
 struct ObjText {
   std::vector<std::array<double, 3>> vertices;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../support/places.hpp"
 #include "graphics_fixture.hpp"
 #include "renderer/renderer.hpp"
 #include "source/frame_source.hpp"
@@ -8,7 +9,7 @@
 namespace pelagos {
 namespace {
 
-const std::filesystem::path kAssets = std::filesystem::path(PELAGOS_SOURCE_DIR) / "assets";
+const std::filesystem::path kAssets = test::source_path("assets");
 constexpr int kWidth = 320, kHeight = 180;
 
 struct Drawn {

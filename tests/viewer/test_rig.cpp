@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "../support/places.hpp"
 #include "channels/rig.hpp"
 
 namespace pelagos {
@@ -21,7 +22,7 @@ std::string refusal_of(const std::string& text) {
 }
 
 TEST(Rig, ShippedRigHasTheBridgeChannels) {
-  const Rig rig = load_rig(std::filesystem::path(PELAGOS_SOURCE_DIR) / "assets/rigs/ship_bridge.json");
+  const Rig rig = load_rig(test::source_path("assets/rigs/ship_bridge.json"));
   for (const char* name : {"port", "centre", "starboard", "quarter", "above"})
     EXPECT_NE(rig.find(name), nullptr) << name;
   // neighbouring screens must meet

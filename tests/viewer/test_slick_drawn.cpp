@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../support/places.hpp"
 #include "graphics_fixture.hpp"
 #include "renderer/renderer.hpp"
 #include "source/frame_source.hpp"
@@ -246,7 +247,7 @@ TEST_F(Graphics, SlickMeetsWithoutASeamBetweenChannels) {
 
 TEST_F(Graphics, HullHidesTheSlick) {
   Renderer renderer({kWidth, kHeight, 32, Quality::kLow, true});
-  const std::filesystem::path assets = std::filesystem::path(PELAGOS_SOURCE_DIR) / "assets";
+  const std::filesystem::path assets = test::source_path("assets");
   ASSERT_TRUE(renderer.set_scene(synthetic_scene(), assets / "meshes").empty());
   OceanFrame frame;
   fill_synthetic_frame(12.0, frame);

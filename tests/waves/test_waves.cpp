@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "../support/csv.hpp"
+#include "../support/places.hpp"
 #include "waves/sea_state.hpp"
 #include "waves/splitmix.hpp"
 #include "waves/wave_components.hpp"
@@ -12,7 +13,7 @@
 namespace pelagos {
 namespace {
 
-const std::string kData = PELAGOS_SOURCE_DIR "/tests/waves/data/";
+const std::string kData = test::source_path("tests/waves/data/");
 
 TEST(SplitMix64, ReproducesThePublishedSequence) {
   // First outputs for seed 1234567, as tabulated for the reference implementation (Vigna, splitmix64.c).

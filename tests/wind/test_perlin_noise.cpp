@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../support/csv.hpp"
+#include "../support/places.hpp"
 #include "waves/splitmix.hpp"
 #include "wind/perlin_noise.hpp"
 
@@ -10,7 +11,7 @@ namespace pelagos {
 namespace {
 
 TEST(PerlinNoise, ReproducesTheReferenceValues) {
-  const auto rows = test::read_csv(PELAGOS_SOURCE_DIR "/tests/wind/data/perlin_improved_noise_values.csv");
+  const auto rows = test::read_csv(test::source_path("tests/wind/data/perlin_improved_noise_values.csv"));
   ASSERT_EQ(rows.size(), 15u);
   for (const auto& row : rows) {
     const double x = std::stod(row[0]), y = std::stod(row[1]), z = std::stod(row[2]);
