@@ -84,9 +84,9 @@ TEST(MeshFile, SaysWhatIsWrongWithTheFile) {
 }
 
 /// A glTF file of a box 2 m wide (x), 1 m high (y) and 4 m long (z), its numbers in the file itself or beside it.
-std::string gltf_of_box(const std::string& buffer_uri) {
-  const auto box = make_box({-1, 0, -2}, {1, 1, 2});
-  std::string text = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+std::string gltf_of_box(const std::string& buffer_uri, const std::string& nodes = R"({"mesh":0})") {
+  std::string text = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)" + nodes +
+                     R"(],)"
                      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[)"
                      R"({"bufferView":0,"componentType":5126,"count":8,"type":"VEC3","min":[-1,0,-2],"max":[1,1,2]},)"
                      R"({"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"}],"bufferViews":[)"
@@ -134,6 +134,19 @@ TEST(MeshFile, TurnsGltfIntoBodyAxes) {
   EXPECT_EQ(before.sizes(), Eigen::Vector3d(2, 1, 4));
   EXPECT_EQ(after.min(), Eigen::Vector3d(-2, -1, 0)) << "4 m along x, 2 m along y, 1 m up";
   EXPECT_EQ(after.max(), Eigen::Vector3d(2, 1, 1));
+}
+
+TEST(MeshFile, ReadsMirroredNodesRightSideOut) {
+  const std::string uri = "data:application/octet-stream;base64," + base64_of(bytes_of_box());
+  for (const std::string nodes :
+       {R"({"mesh":0,"scale":[-1,1,1]})", R"({"children":[1],"scale":[-1,1,1]},{"mesh":0,"scale":[1,-1,1]})",
+        R"({"children":[1],"scale":[-1,-1,-1]},{"mesh":0,"scale":[2,0.5,1]})",
+        R"({"mesh":0,"matrix":[0,1,0,0, 1,0,0,0, 0,0,1,0, 0,0,0,1]})"}) {
+    const TemporaryFile file("mirrored.gltf", gltf_of_box(uri, nodes));
+    const MeshFile read = read_mesh(file.path());
+    ASSERT_THAT(read.faults, IsEmpty()) << nodes << read.faults.front();
+    EXPECT_NEAR(mesh_volume(read.mesh), 8.0, 1e-9) << nodes;
+  }
 }
 
 TEST(MeshFile, ReadsWhatLiesBesideTheFileAndNothingElse) {

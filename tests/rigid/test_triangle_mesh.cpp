@@ -109,5 +109,47 @@ TEST(TriangleMesh, AnOpenMeshMayEndAtARimButNotBeInverted) {
   EXPECT_THAT(find_mesh_faults(bed, MeshKind::kOpen), Contains(HasSubstr("inverted triangle")));
 }
 
+/// The triangles of several meshes, and the mesh that each came from.
+TriangleMesh joined(const std::vector<TriangleMesh>& meshes, std::vector<std::uint32_t>& part) {
+  TriangleMesh all;
+  for (std::uint32_t number = 0; number < meshes.size(); ++number) {
+    const auto first = static_cast<std::uint32_t>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), meshes[number].vertices.begin(), meshes[number].vertices.end());
+    for (const auto& [a, b, c] : meshes[number].triangles) all.triangles.push_back({first + a, first + b, first + c});
+    part.resize(all.triangles.size(), number);
+  }
+  return all;
+}
+
+TEST(WeldParts, KeepsClosedPartsThatTouchApart) {
+  std::vector<std::uint32_t> part;
+  const TriangleMesh two = joined({make_box({0, 0, 0}, {1, 1, 1}), make_box({1, 0, 0}, {2, 1, 1})}, part);
+  EXPECT_EQ(weld_vertices(two, 1e-6).vertices.size(), 12u);
+  const TriangleMesh welded = weld_parts(two, part, 1e-6);
+  EXPECT_EQ(welded.vertices.size(), 16u);
+  EXPECT_THAT(find_mesh_faults(welded), IsEmpty());
+}
+
+TEST(WeldParts, JoinsThePatchesOfOneHull) {
+  TriangleMesh bottom = make_box({0, 0, 0}, {1, 1, 1}), rest = bottom;
+  bottom.triangles.resize(2);
+  rest.triangles.erase(rest.triangles.begin(), rest.triangles.begin() + 2);
+  std::vector<std::uint32_t> part;
+  const TriangleMesh buoy = make_box({0, 0, 1}, {1, 1, 2});  // stands on the hull, between the patches
+  const TriangleMesh all = joined({bottom, buoy, rest}, part);
+  const TriangleMesh welded = weld_parts(all, part, 1e-6);
+  EXPECT_EQ(welded.vertices.size(), 16u);
+  EXPECT_THAT(find_mesh_faults(welded), IsEmpty());
+  EXPECT_NEAR(mesh_volume(welded), 2.0, 1e-12);
+}
+
+TEST(MeshOrigin, NamesTheTriangleAsItsFileDoes) {
+  TriangleMesh box = make_box({0, 0, 0}, {1, 1, 1});
+  box.triangles.pop_back();
+  const MeshOrigin origin{
+      {"object \"keel\""}, std::vector<std::uint32_t>(11, 0), {"face"}, std::vector<std::uint32_t>(11, 7)};
+  EXPECT_THAT(find_mesh_faults(box, MeshKind::kClosed, origin), Contains(HasSubstr("face 7 of object \"keel\"")));
+}
+
 }  // namespace
 }  // namespace pelagos

@@ -41,8 +41,6 @@ std::string text_of(const Eigen::Vector3d& point) {
   return text.str();
 }
 
-std::string number_of(std::size_t triangle) { return "triangle " + std::to_string(triangle + 1); }
-
 Eigen::Vector3d size_of(const TriangleMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& vertex : mesh.vertices) box.extend(vertex);
@@ -86,23 +84,24 @@ void check_numbers(const TriangleMesh& mesh, std::vector<std::string>& faults) {
   absurd.append_to(faults);
 }
 
-void check_areas(const TriangleMesh& mesh, std::vector<std::string>& faults) {
+void check_areas(const TriangleMesh& mesh, const MeshOrigin& origin, std::vector<std::string>& faults) {
   const double least = kLeastArea * size_of(mesh).squaredNorm();
   FaultList degenerate("degenerate triangle");
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     if (!(mesh.area_vector(t).norm() > least))
-      degenerate.add(number_of(t) + " at " + text_of(mesh.corner(t, 0)) + " has no area");
+      degenerate.add(origin.describe(t) + " at " + text_of(mesh.corner(t, 0)) + " has no area");
   degenerate.append_to(faults);
 }
 
-void check_edges(const TriangleMesh& mesh, const EdgeMap& edges, MeshKind kind, std::vector<std::string>& faults) {
+void check_edges(const TriangleMesh& mesh, const EdgeMap& edges, MeshKind kind, const MeshOrigin& origin,
+                 std::vector<std::string>& faults) {
   FaultList open("open edge"), shared("edge shared by too many triangles");
   for (const auto& [edge, triangles] : edges) {
     const std::string place =
         "from " + text_of(mesh.vertices[edge.first]) + " to " + text_of(mesh.vertices[edge.second]);
     if (triangles.count() == 1 && kind == MeshKind::kClosed) {
       const std::size_t only = triangles.along.empty() ? triangles.back[0] : triangles.along[0];
-      open.add("only " + number_of(only) + " has the edge " + place);
+      open.add("only " + origin.describe(only) + " has the edge " + place);
     }
     if (triangles.count() > 2) shared.add(std::to_string(triangles.count()) + " triangles have the edge " + place);
   }
@@ -170,7 +169,8 @@ class Orientation {
   bool one_sided_ = false;
 };
 
-void check_orientation(const TriangleMesh& mesh, const EdgeMap& edges, std::vector<std::string>& faults) {
+void check_orientation(const TriangleMesh& mesh, const EdgeMap& edges, const MeshOrigin& origin,
+                       std::vector<std::string>& faults) {
   const Orientation orientation(mesh, edges);
   if (orientation.one_sided()) {
     faults.emplace_back(
@@ -180,13 +180,13 @@ void check_orientation(const TriangleMesh& mesh, const EdgeMap& edges, std::vect
   }
   FaultList inverted("inverted triangle");
   for (const std::size_t t : orientation.inverted())
-    inverted.add(number_of(t) + " at " + text_of(mesh.corner(t, 0)) +
+    inverted.add(origin.describe(t) + " at " + text_of(mesh.corner(t, 0)) +
                  " faces against its neighbours; reverse the order of its corners");
   inverted.append_to(faults);
 }
 
 /// Each connected shell must enclose a positive volume.
-void check_shells(const TriangleMesh& mesh, std::vector<std::string>& faults) {
+void check_shells(const TriangleMesh& mesh, const MeshOrigin& origin, std::vector<std::string>& faults) {
   std::vector<std::uint32_t> parent(mesh.vertices.size());
   std::iota(parent.begin(), parent.end(), 0u);
   const auto root = [&](std::uint32_t v) {
@@ -203,7 +203,7 @@ void check_shells(const TriangleMesh& mesh, std::vector<std::string>& faults) {
   FaultList inwards("shell facing inwards");
   for (const auto& [vertex, shell] : shells)
     if (!(shell.first > 0.0)) {
-      inwards.add("the one of " + number_of(shell.second) + " encloses " + std::to_string(shell.first) +
+      inwards.add("the one of " + origin.describe(shell.second) + " encloses " + std::to_string(shell.first) +
                   " m^3; reverse its triangles");
     }
   inwards.append_to(faults);
@@ -211,16 +211,16 @@ void check_shells(const TriangleMesh& mesh, std::vector<std::string>& faults) {
 
 }  // namespace
 
-std::vector<std::string> find_mesh_faults(const TriangleMesh& mesh, MeshKind kind) {
+std::vector<std::string> find_mesh_faults(const TriangleMesh& mesh, MeshKind kind, const MeshOrigin& origin) {
   if (mesh.vertices.empty() || mesh.triangles.empty()) return {"the mesh has no triangles"};
   std::vector<std::string> faults;
   check_numbers(mesh, faults);
   if (!faults.empty()) return faults;
-  check_areas(mesh, faults);
+  check_areas(mesh, origin, faults);
   const EdgeMap edges = collect_edges(mesh);
-  check_edges(mesh, edges, kind, faults);
-  check_orientation(mesh, edges, faults);
-  if (faults.empty() && kind == MeshKind::kClosed) check_shells(mesh, faults);
+  check_edges(mesh, edges, kind, origin, faults);
+  check_orientation(mesh, edges, origin, faults);
+  if (faults.empty() && kind == MeshKind::kClosed) check_shells(mesh, origin, faults);
   return faults;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,26 +22,45 @@ struct MeshOptions {
   MeshKind kind = MeshKind::kClosed;
 };
 
+/// Where the triangles of a mesh stand in its file, to say it to a person. Empty: the mesh came from no file.
+struct MeshOrigin {
+  std::vector<std::string> parts;       ///< of the file, in words: an object, a solid, a node with its mesh
+  std::vector<std::uint32_t> part;      ///< [triangles] index into `parts`
+  std::vector<std::string> place_name;  ///< [parts] what `place` counts: "face", "facet", "triangle"
+  std::vector<std::uint32_t> place;     ///< [triangles] from 1, as the file counts
+
+  /// "face 12 of object \"hull\""; without an origin "triangle 12", counted from 1.
+  [[nodiscard]] std::string describe(std::size_t triangle) const;
+};
+
 /// What came out of a mesh file: a mesh, or the reasons why it cannot be used.
 struct MeshFile {
-  TriangleMesh mesh;
+  TriangleMesh mesh;                ///< parts that are closed by themselves share no vertex with any other part
   std::vector<std::string> faults;  ///< empty: the mesh passes find_mesh_faults
+  MeshOrigin origin = {};
 };
 
 /// Reads the triangles of a mesh file (.obj, .stl, .gltf or .glb), all its parts together, turns them into body axes,
-/// multiplies by the scale, merges vertices closer than 1e-6 of the size, and checks the result. Never throws. At most
-/// 512 MB (the files it refers to included) and four million triangles are read; what a file refers to must lie in its
-/// own folder or below.
+/// multiplies by the scale, merges vertices closer than 1e-6 of the size, and checks the result. Vertices are merged
+/// within a part that is closed by itself, so that parts which touch stay apart; the other parts, as the patches of one
+/// hull are, are merged with each other. Never throws. At most 512 MB (the files it refers to included) and four
+/// million triangles are read; what a file refers to must lie in its own folder or below.
 [[nodiscard]] MeshFile read_mesh(const std::string& path, const MeshOptions& options = {});
 
-/// Merges vertices closer than `distance`.
+/// Merges vertices closer than `distance`. Triangles keep their order, vertices that of their first use in the list.
 [[nodiscard]] TriangleMesh weld_vertices(const TriangleMesh& mesh, double distance);
+
+/// The same part by part, see read_mesh.
+/// @param part  [triangles] number of the part that each triangle belongs to
+[[nodiscard]] TriangleMesh weld_parts(const TriangleMesh& mesh, std::span<const std::uint32_t> part, double distance);
 
 /// Whether the mesh can be a body: numbers in range, no degenerate triangle, each edge between two triangles that run
 /// round it in opposite ways (or at the rim of an open mesh), every closed shell facing outwards. One line for each
-/// fault, the first few of a kind with the place, the rest counted. Triangles are numbered from 1. Whether the surface
-/// cuts itself is another question: count_self_intersections.
-[[nodiscard]] std::vector<std::string> find_mesh_faults(const TriangleMesh& mesh, MeshKind kind = MeshKind::kClosed);
+/// fault, the first few of a kind with the place, the rest counted. Triangles are named by their origin, or numbered
+/// from
+/// 1. Whether the surface cuts itself is another question: count_self_intersections.
+[[nodiscard]] std::vector<std::string> find_mesh_faults(const TriangleMesh& mesh, MeshKind kind = MeshKind::kClosed,
+                                                        const MeshOrigin& origin = {});
 
 /// Enclosed volume, m^3, by the divergence theorem; negative where the mesh faces inwards.
 [[nodiscard]] double mesh_volume(const TriangleMesh& mesh);
