@@ -8,6 +8,8 @@
 #include <cctype>
 #include <map>
 
+#include "check_characters.hpp"
+
 namespace pelagos {
 namespace {
 
@@ -183,13 +185,20 @@ std::string explain(const std::string& message, const FileDescriptor& file) {
 
 }  // namespace
 
-void parse_text(std::string_view text, google::protobuf::Message& message, ParsedText& out) {
+void parse_text(std::string_view original, google::protobuf::Message& message, ParsedText& out) {
   const Descriptor* descriptor = message.GetDescriptor();
-  if (const auto too_deep = check_nesting(text, descriptor)) {
+  if (const auto too_deep = check_nesting(original, descriptor)) {
     out.readable = false;
     out.faults = {*too_deep};
     return;
   }
+  const CheckedText checked = check_characters(original);
+  if (checked.fault) {
+    out.readable = false;
+    out.faults = {*checked.fault};
+    return;
+  }
+  const std::string_view text = checked.text;
   Collector collector;
   google::protobuf::TextFormat::Parser parser;
   parser.RecordErrorsTo(&collector);

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "text/nearest_name.hpp"
+
 namespace pelagos {
 
 /// One thing that is wrong with a message from outside.
@@ -34,8 +36,6 @@ struct Range {
 [[nodiscard]] std::string format_number(double value);
 /// A count for people: 1,000,000,000.
 [[nodiscard]] std::string format_count(double value);
-/// The name among `known` that `name` is most likely a misspelling of; empty if none is near.
-[[nodiscard]] std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
 /// Reads the fields of one Protobuf message by name, and notes every fault with its path and line instead of stopping
 /// at the first. A target is assigned only from a field that is present and valid: it keeps its default otherwise.

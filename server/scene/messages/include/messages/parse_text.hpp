@@ -14,6 +14,8 @@ struct ParsedText {
 };
 
 /// Parses Protobuf text format into `message`. Fields that its schema does not know are skipped and noted, all of them.
+/// Unlike in Protobuf, numbers with zeros in front are decimal (010 is ten), a byte order mark is skipped, and
+/// characters that only look right are refused where they stand.
 void parse_text(std::string_view text, google::protobuf::Message& message, ParsedText& out);
 
 }  // namespace pelagos
