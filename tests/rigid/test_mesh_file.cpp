@@ -158,7 +158,7 @@ TEST(MeshFile, ReadsWhatLiesBesideTheFileAndNothingElse) {
   const TemporaryFile gltf("outside.gltf", gltf_of_box(outside));
   EXPECT_THAT(read_mesh(gltf.path()).faults, testing::ElementsAre(HasSubstr("etc/passwd; allowed: files in the mesh")));
   const TemporaryFile obj("outside.obj", "mtllib " + outside + "\n" + obj_of(make_sphere(1.0, 4)));
-  EXPECT_THAT(read_mesh(obj.path()).faults, testing::ElementsAre(HasSubstr("own folder or below")));
+  EXPECT_THAT(read_mesh(obj.path()).faults, IsEmpty()) << "a body has no colours: the library is not opened";
   const TemporaryFile link("link.bin", "");
   std::filesystem::remove(link.path());
   std::filesystem::create_symlink("/etc/passwd", link.path());

@@ -1,129 +1,70 @@
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-
 #include <algorithm>
-#include <assimp/Importer.hpp>
-#include <cctype>
 #include <cmath>
 #include <exception>
-#include <filesystem>
-#include <iterator>
-#include <string_view>
 
-#include "guarded_files.hpp"
+#include "mesh_import/import_mesh.hpp"
 #include "rigid/triangle_mesh.hpp"
 
 namespace pelagos {
 
 namespace {
 
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{512} << 20;
-constexpr std::size_t kMostTriangles = 4'000'000;
-constexpr std::string_view kEndings[] = {".obj", ".stl", ".gltf", ".glb"};
 constexpr double kWeldPart = 1e-6;  ///< of the mesh's size
 
-/// All triangles of all parts, in the order of the file. Adds to the faults where that is impossible.
-class Collector {
- public:
-  Collector(const aiScene& scene, double scale, MeshFile& file) : scene_(scene), scale_(scale), file_(file) {}
-
-  void add_node(const aiNode& node, const aiMatrix4x4& above) {
-    const aiMatrix4x4 placed = above * node.mTransformation;
-    for (unsigned m = 0; m < node.mNumMeshes; ++m)
-      add_part(*scene_.mMeshes[node.mMeshes[m]], placed, node.mName.length > 0 ? node.mName.C_Str() : "");
-    for (unsigned c = 0; c < node.mNumChildren; ++c) add_node(*node.mChildren[c], placed);
-  }
-
- private:
-  void add_part(const aiMesh& part, const aiMatrix4x4& placed, const std::string& name) {
-    TriangleMesh& mesh = file_.mesh;
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    if (mesh.triangles.size() + part.mNumFaces > kMostTriangles) {
-      file_.faults.assign(1, "more than " + std::to_string(kMostTriangles) + " triangles");
-      return;
-    }
-    const bool moves = !placed.IsIdentity();
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      const aiVector3D point = moves ? placed * part.mVertices[v] : part.mVertices[v];
-      mesh.vertices.emplace_back(scale_ * static_cast<double>(point.x), scale_ * static_cast<double>(point.y),
-                                 scale_ * static_cast<double>(point.z));
-    }
-    const bool mirrors = placed.Determinant() < 0;  // a mirror image has its corners in the opposite order
-    const auto number = static_cast<std::uint32_t>(file_.origin.parts.size());
-    file_.origin.parts.push_back("\"" + name + "\"");
-    file_.origin.place_name.emplace_back("triangle");
-    for (unsigned f = 0; f < part.mNumFaces; ++f) {
-      const aiFace& face = part.mFaces[f];
-      if (face.mNumIndices != 3) continue;
-      mesh.triangles.push_back(
-          {first + face.mIndices[0], first + face.mIndices[mirrors ? 2 : 1], first + face.mIndices[mirrors ? 1 : 2]});
-      file_.origin.part.push_back(number);
-      file_.origin.place.push_back(f + 1);
-    }
-  }
-
-  const aiScene& scene_;
-  double scale_;
-  MeshFile& file_;
-};
-
+/// The farthest that a corner lies from the first one, along an axis. Vertices without a triangle do not count.
 double largest_coordinate(const TriangleMesh& mesh) {
   double largest = 0.0;
-  for (const Eigen::Vector3d& vertex : mesh.vertices)
-    if (vertex.allFinite()) largest = std::max(largest, (vertex - mesh.vertices.front()).cwiseAbs().maxCoeff());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t c = 0; c < 3; ++c)
+      largest = std::max(largest, (mesh.corner(t, c) - mesh.corner(0, 0)).cwiseAbs().maxCoeff());
   return std::isfinite(largest) ? largest : 0.0;
 }
 
-std::string lower_ending(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
-/// Why a file cannot be a mesh, before it is opened; empty if it may be one.
-std::string refuse_unread(const std::string& path, double scale) {
-  if (!(scale > 0.0) || !std::isfinite(scale))
-    return "scale " + std::to_string(scale) + ": must be a finite number above 0";
-  const std::string ending = lower_ending(path);
-  if (std::find(std::begin(kEndings), std::end(kEndings), ending) == std::end(kEndings))
-    return "meshes that end in \"" + ending + "\" are not read; allowed: .obj, .stl, .gltf, .glb";
-  std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
-  if (error) return error.message();
-  if (bytes > kLargestFile) return std::to_string(bytes >> 20) + " MB, at most 512 MB are read";
-  return {};
-}
-
-/// Reads with Assimp; adds to the file's faults where that is impossible.
-void import(const std::string& path, double scale, MeshFile& file) {
-  Assimp::Importer importer;
-  const auto files = new GuardedFiles(path, kLargestFile);
-  importer.SetIOHandler(files);  // which owns it
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_SortByPType);
-  if (!files->refusal().empty()) {
-    file.faults.push_back(files->refusal());
-  } else if (scene == nullptr) {
-    file.faults.emplace_back(importer.GetErrorString());
-  } else {
-    Collector(*scene, scale, file).add_node(*scene->mRootNode, {});
+void take_triangles(const ImportedMesh& imported, MeshFile& file) {
+  for (const ImportedPart& part : imported.parts) {
+    file.origin.parts.push_back(part.name);
+    file.origin.place_name.push_back(part.place);
   }
+  for (const ImportedTriangle& triangle : imported.triangles) {
+    file.mesh.triangles.push_back(triangle.corners);
+    file.origin.part.push_back(triangle.part);
+    file.origin.place.push_back(triangle.place);
+  }
+}
+
+/// Leaves out the triangles of which two corners have become one vertex: their neighbours meet where they were.
+void drop_collapsed(MeshFile& file) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < file.mesh.triangles.size(); ++t) {
+    const auto [a, b, c] = file.mesh.triangles[t];
+    if (a == b || b == c || c == a) continue;
+    file.mesh.triangles[kept] = {a, b, c};
+    file.origin.part[kept] = file.origin.part[t];
+    file.origin.place[kept++] = file.origin.place[t];
+  }
+  file.mesh.triangles.resize(kept);
+  file.origin.part.resize(kept);
+  file.origin.place.resize(kept);
 }
 
 MeshFile read_checked(const std::string& path, const MeshOptions& options) {
   MeshFile file;
-  const std::string refusal = refuse_unread(path, options.scale);
-  if (refusal.empty())
-    import(path, options.scale, file);
-  else
-    file.faults.push_back(refusal);
+  if (!(options.scale > 0.0) || !std::isfinite(options.scale)) {
+    file.faults.push_back("scale " + std::to_string(options.scale) + ": must be a finite number above 0");
+  } else {
+    ImportedMesh imported = import_mesh(path);
+    file.faults = std::move(imported.faults);
+    file.notes = std::move(imported.notes);
+    take_triangles(imported, file);
+    file.mesh.vertices = std::move(imported.vertices);
+  }
   if (file.faults.empty()) {
     const Eigen::Matrix3d turn = body_from_file(options.axes);
-    for (Eigen::Vector3d& vertex : file.mesh.vertices) vertex = turn * vertex;
+    for (Eigen::Vector3d& vertex : file.mesh.vertices) vertex = turn * (options.scale * vertex);
     file.mesh = weld_parts(file.mesh, file.origin.part, kWeldPart * largest_coordinate(file.mesh));
+    drop_collapsed(file);
     file.faults = find_mesh_faults(file.mesh, options.kind, file.origin);
+    if (!file.faults.empty()) file.faults.insert(file.faults.end(), file.notes.begin(), file.notes.end());
   }
   for (std::string& fault : file.faults) fault.insert(0, path + ": ");
   return file;

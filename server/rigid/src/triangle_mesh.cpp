@@ -2,75 +2,96 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <map>
-#include <unordered_map>
 #include <utility>
 
 namespace pelagos {
 
-TriangleMesh weld_vertices(const TriangleMesh& mesh, double distance) {
-  // Vertices in a hash of cells of the merging distance; a match may lie in any of the 27 cells around.
-  using Cell = std::array<std::int64_t, 3>;
-  struct CellHash {
-    std::size_t operator()(const Cell& cell) const {
-      std::uint64_t hash = 1469598103934665603u;
-      for (const std::int64_t part : cell) hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15u;
-      return static_cast<std::size_t>(hash ^ (hash >> 31));
-    }
-  };
-  const double cell_size = std::max(distance, 1e-300);
-  const Eigen::Vector3d origin = mesh.vertices.empty() ? Eigen::Vector3d::Zero() : mesh.vertices.front();
-  const auto cell_of = [&](const Eigen::Vector3d& point) {
-    Cell cell{};
-    for (int axis = 0; axis < 3; ++axis)
-      cell[static_cast<std::size_t>(axis)] =
-          std::llround(std::clamp(std::floor((point[axis] - origin[axis]) / cell_size), -4e18, 4e18));
-    return cell;
-  };
-  TriangleMesh welded;
-  std::unordered_map<Cell, std::uint32_t, CellHash> known;
-  std::vector<std::uint32_t> renamed(mesh.vertices.size());
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    const Eigen::Vector3d& point = mesh.vertices[v];
-    const Cell home = cell_of(point);
-    std::int64_t match = -1;
-    for (int n = 0; n < 27 && match < 0; ++n) {
-      const Cell cell{home[0] + n % 3 - 1, home[1] + n / 3 % 3 - 1, home[2] + n / 9 - 1};
-      const auto found = known.find(cell);
-      if (found != known.end() && (welded.vertices[found->second] - point).norm() <= distance) match = found->second;
-    }
-    if (match < 0) {
-      match = static_cast<std::int64_t>(welded.vertices.size());
-      welded.vertices.push_back(point);
-      known.emplace(home, static_cast<std::uint32_t>(match));
-    }
-    renamed[v] = static_cast<std::uint32_t>(match);
+namespace {
+
+/// Points in a hash of cells, three merging distances wide, so that most are far from the sides of theirs.
+class PointHash {
+ public:
+  PointHash(std::size_t most, double distance)
+      : distance_(distance), cell_(std::max(3.0 * distance, 1e-300)), heads_(std::bit_ceil(most + 1), kNone) {}
+
+  /// The first of the points given so far that is no farther than the distance; the point itself if none is.
+  std::uint32_t find_or_add(const Eigen::Vector3d& point, std::vector<Eigen::Vector3d>& points) {
+    const Eigen::Vector3d low = cell_of(point.array() - distance_), high = cell_of(point.array() + distance_);
+    std::uint32_t match = kNone;
+    for (double x = low.x(); x <= high.x(); ++x)
+      for (double y = low.y(); y <= high.y(); ++y)
+        for (double z = low.z(); z <= high.z(); ++z)
+          for (std::uint32_t n = heads_[bucket({x, y, z})]; n != kNone; n = next_[n])
+            if ((points[n] - point).norm() <= distance_) match = std::min(match, n);
+    if (match != kNone) return match;
+    const auto added = static_cast<std::uint32_t>(points.size());
+    points.push_back(point);
+    std::uint32_t& head = heads_[bucket(cell_of(point))];
+    next_.push_back(head);
+    head = added;
+    return added;
   }
+
+ private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  /// Whole numbers below 2^50: a step of one is a step.
+  [[nodiscard]] Eigen::Vector3d cell_of(const Eigen::Array3d& point) const {
+    return (point / cell_).floor().max(-1e15).min(1e15);
+  }
+  [[nodiscard]] std::size_t bucket(const Eigen::Vector3d& cell) const {
+    std::uint64_t hash = 1469598103934665603u;
+    for (const double part : {cell.x(), cell.y(), cell.z()}) {
+      hash = (hash ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(part))) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 31;
+    }
+    return hash & (heads_.size() - 1);
+  }
+
+  double distance_, cell_;
+  std::vector<std::uint32_t> heads_, next_;  ///< first point of each bucket, next point after each
+};
+
+}  // namespace
+
+TriangleMesh weld_vertices(const TriangleMesh& mesh, double distance) {
+  TriangleMesh welded;
+  PointHash known(mesh.vertices.size(), distance);
+  std::vector<std::uint32_t> renamed;
+  renamed.reserve(mesh.vertices.size());
+  for (const Eigen::Vector3d& vertex : mesh.vertices) renamed.push_back(known.find_or_add(vertex, welded.vertices));
   welded.triangles.reserve(mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles)
-    welded.triangles.push_back({renamed[triangle[0]], renamed[triangle[1]], renamed[triangle[2]]});
+  for (const auto& [a, b, c] : mesh.triangles) welded.triangles.push_back({renamed[a], renamed[b], renamed[c]});
   return welded;
 }
 
 namespace {
 
+constexpr std::uint32_t kUnused = ~std::uint32_t{0};
+
 /// The triangles that `chosen` says, with the vertices that they use in the order of their first use.
-TriangleMesh take_triangles(const TriangleMesh& mesh, const std::vector<std::size_t>& chosen) {
-  constexpr std::uint32_t kUnused = ~std::uint32_t{0};
-  std::unordered_map<std::uint32_t, std::uint32_t> renamed;
+/// @param renamed  [vertices] of kUnused, before and after
+TriangleMesh take_triangles(const TriangleMesh& mesh, const std::vector<std::uint32_t>& chosen,
+                            std::vector<std::uint32_t>& renamed) {
   TriangleMesh taken;
   taken.triangles.reserve(chosen.size());
-  for (const std::size_t t : chosen) {
-    std::array<std::uint32_t, 3> triangle{kUnused, kUnused, kUnused};
+  for (const std::uint32_t t : chosen) {
+    std::array<std::uint32_t, 3> triangle{};
     for (std::size_t c = 0; c < 3; ++c) {
       const std::uint32_t vertex = mesh.triangles[t][c];
-      const auto [known, is_new] = renamed.try_emplace(vertex, static_cast<std::uint32_t>(taken.vertices.size()));
-      if (is_new) taken.vertices.push_back(mesh.vertices[vertex]);
-      triangle[c] = known->second;
+      if (renamed[vertex] == kUnused) {
+        renamed[vertex] = static_cast<std::uint32_t>(taken.vertices.size());
+        taken.vertices.push_back(mesh.vertices[vertex]);
+      }
+      triangle[c] = renamed[vertex];
     }
     taken.triangles.push_back(triangle);
   }
+  for (const std::uint32_t t : chosen)
+    for (const std::uint32_t vertex : mesh.triangles[t]) renamed[vertex] = kUnused;
   return taken;
 }
 
@@ -92,7 +113,7 @@ bool is_closed(const TriangleMesh& mesh) {
 }
 
 /// Appends with the triangles at the places that `chosen` says.
-void put_triangles(const TriangleMesh& part, const std::vector<std::size_t>& chosen, TriangleMesh& mesh) {
+void put_triangles(const TriangleMesh& part, const std::vector<std::uint32_t>& chosen, TriangleMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
   for (std::size_t n = 0; n < chosen.size(); ++n)
@@ -102,26 +123,27 @@ void put_triangles(const TriangleMesh& part, const std::vector<std::size_t>& cho
 }  // namespace
 
 TriangleMesh weld_parts(const TriangleMesh& mesh, std::span<const std::uint32_t> part, double distance) {
-  std::map<std::uint32_t, std::vector<std::size_t>> triangles_of;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) triangles_of[part[t]].push_back(t);
+  std::map<std::uint32_t, std::vector<std::uint32_t>> triangles_of;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) triangles_of[part[t]].push_back(t);
+  std::vector<std::uint32_t> renamed(mesh.vertices.size(), kUnused), open;
   TriangleMesh welded;
   welded.triangles.resize(mesh.triangles.size());
-  std::vector<std::size_t> open;
   for (const auto& [number, triangles] : triangles_of) {
-    const TriangleMesh alone = weld_vertices(take_triangles(mesh, triangles), distance);
+    const TriangleMesh alone = weld_vertices(take_triangles(mesh, triangles, renamed), distance);
     if (is_closed(alone))
       put_triangles(alone, triangles, welded);
     else
       open.insert(open.end(), triangles.begin(), triangles.end());
   }
-  put_triangles(weld_vertices(take_triangles(mesh, open), distance), open, welded);
+  if (!open.empty()) put_triangles(weld_vertices(take_triangles(mesh, open, renamed), distance), open, welded);
   return welded;
 }
 
 std::string MeshOrigin::describe(std::size_t triangle) const {
   if (triangle >= part.size()) return "triangle " + std::to_string(triangle + 1);
   const std::uint32_t own = part[triangle];
-  return place_name[own] + " " + std::to_string(place[triangle]) + " of " + parts[own];
+  const std::string words = place_name[own] + " " + std::to_string(place[triangle]);
+  return parts[own].empty() ? words : words + " of " + parts[own];
 }
 
 double mesh_volume(const TriangleMesh& mesh) {

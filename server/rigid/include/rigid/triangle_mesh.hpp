@@ -38,13 +38,13 @@ struct MeshFile {
   TriangleMesh mesh;                ///< parts that are closed by themselves share no vertex with any other part
   std::vector<std::string> faults;  ///< empty: the mesh passes find_mesh_faults
   MeshOrigin origin = {};
+  std::vector<std::string> notes = {};  ///< what of the file was ignored and may surprise
 };
 
-/// Reads the triangles of a mesh file (.obj, .stl, .gltf or .glb), all its parts together, turns them into body axes,
-/// multiplies by the scale, merges vertices closer than 1e-6 of the size, and checks the result. Vertices are merged
-/// within a part that is closed by itself, so that parts which touch stay apart; the other parts, as the patches of one
-/// hull are, are merged with each other. Never throws. At most 512 MB (the files it refers to included) and four
-/// million triangles are read; what a file refers to must lie in its own folder or below.
+/// Reads the triangles of a mesh file with import_mesh, all its parts together, multiplies by the scale, turns them
+/// into body axes, merges vertices closer than 1e-6 of the size, and checks the result. Vertices are merged within a
+/// part that is closed by itself, so that parts which touch stay apart; the other parts, as the patches of one hull
+/// are, are merged with each other. Triangles that vanish by that are left out. Never throws; bounded by MeshLimits.
 [[nodiscard]] MeshFile read_mesh(const std::string& path, const MeshOptions& options = {});
 
 /// Merges vertices closer than `distance`. Triangles keep their order, vertices that of their first use in the list.
