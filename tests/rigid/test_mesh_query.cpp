@@ -63,20 +63,24 @@ TEST(MeshQuery, TheUnionOfShellsThatOverlapIsInside) {
   EXPECT_TRUE(query.inside({1.5, 0.5, 0.5})) << "in both";
   EXPECT_TRUE(query.inside({2.5, 0.5, 0.5}));
   EXPECT_FALSE(query.inside({2.5, 0.1, 0.5}));
-  std::array<std::uint32_t, 2> first{};
   // the face x = 2 of the first box and four sides of the second: two triangles each, those whose edges cross
-  EXPECT_GT(query.count_self_intersections(&first), 0u);
-  EXPECT_LT(first[0], 12u);
-  EXPECT_GE(first[1], 12u);
+  const SelfIntersections found = query.find_self_intersections();
+  EXPECT_GT(found.pairs, 0u);
+  EXPECT_LT(found.first[0], 12u);
+  EXPECT_GE(found.first[1], 12u);
+  EXPECT_TRUE(found.all);
+  std::vector<std::uint32_t> part(24, 0);
+  std::fill(part.begin() + 12, part.end(), 1u);
+  EXPECT_EQ(query.find_self_intersections(part).pairs, 0u) << "two parts that cut each other do not cut themselves";
 }
 
 TEST(MeshQuery, FindsNoIntersectionInSoundMeshes) {
-  EXPECT_EQ(MeshQuery(make_box({0, 0, 0}, {1, 2, 3})).count_self_intersections(), 0u);
-  EXPECT_EQ(MeshQuery(make_sphere(2.0, 30)).count_self_intersections(), 0u);
+  EXPECT_EQ(MeshQuery(make_box({0, 0, 0}, {1, 2, 3})).find_self_intersections().pairs, 0u);
+  EXPECT_EQ(MeshQuery(make_sphere(2.0, 30)).find_self_intersections().pairs, 0u);
   for (const char* hull : {"coaster_hull", "tanker_hull", "lighthouse_hull"}) {  // with faces in one plane side by side
     const MeshFile file = read_mesh(test::source_path("assets/meshes/") + hull + ".obj");
     ASSERT_TRUE(file.faults.empty()) << file.faults.front();
-    EXPECT_EQ(MeshQuery(file.mesh).count_self_intersections(), 0u) << hull;
+    EXPECT_EQ(MeshQuery(file.mesh).find_self_intersections().pairs, 0u) << hull;
   }
 }
 

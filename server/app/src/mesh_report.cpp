@@ -5,17 +5,26 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include "rigid/body_shape.hpp"
 #include "rigid/hydrostatics.hpp"
 #include "rigid/mass_properties.hpp"
 #include "rigid/mesh_query.hpp"
+#include "rigid/mesh_union.hpp"
 
 namespace pelagos {
 
 namespace {
 
-std::string text_of(const Eigen::Vector3d& v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x(), v.y(), v.z()); }
+std::string text_of(const Eigen::Vector3d& given) {
+  constexpr double kNothing = 1e-12;  // of the largest: what rounding leaves
+  const double least = kNothing * std::max(1.0, given.cwiseAbs().maxCoeff());
+  const Eigen::Vector3d v = (given.array().abs() < least).select(0.0, given);
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x(), v.y(), v.z());
+}
 
 /// One line of the report.
 void line(std::ostream& out, const char* name, const std::string& value) { fmt::print(out, "{:<22}{}\n", name, value); }
@@ -31,20 +40,30 @@ Eigen::AlignedBox3d bounds_of(const TriangleMesh& mesh) {
   return box;
 }
 
-void report_soundness(const MeshFile& file, MeshKind kind, std::ostream& out) {
-  if (!file.faults.empty()) {
-    line(out, "faults", fmt::format("{}", file.faults.size()));
-    for (const std::string& fault : file.faults) fmt::print(out, "  {}\n", fault);
-    return;
-  }
-  line(out, kind == MeshKind::kClosed ? "watertight" : "open, one-sided", "yes, no faults");
-  std::array<std::uint32_t, 2> first{};
-  const std::size_t pairs = MeshQuery(file.mesh).count_self_intersections(&first);
+bool report_faults(const std::vector<std::string>& faults, std::ostream& out) {
+  if (faults.empty()) return false;
+  line(out, "faults", fmt::format("{}", faults.size()));
+  for (const std::string& fault : faults) fmt::print(out, "  {}\n", fault);
+  return true;
+}
+
+std::string count_parts(const std::vector<MeshPart>& parts) {
+  const auto count = [&](PartRole role) {
+    return std::count_if(parts.begin(), parts.end(), [&](const MeshPart& part) { return part.role == role; });
+  };
+  if (parts.size() == 1) return "1";
+  return fmt::format("{}: solid {}, cavity {}, without effect {}", parts.size(), count(PartRole::kSolid),
+                     count(PartRole::kCavity), count(PartRole::kSwallowed));
+}
+
+void report_cuts(const MeshFile& file, std::span<const std::uint32_t> part, std::ostream& out) {
+  const SelfIntersections cuts = MeshQuery(file.mesh).find_self_intersections(part);
   line(out, "cuts itself",
-       pairs == 0 ? "no"
-                  : fmt::format("{} pairs of triangles, the first {} and {}; water sees the union, but volumes count "
-                                "overlap twice",
-                                pairs, first[0] + 1, first[1] + 1));
+       cuts.pairs == 0 ? (cuts.all ? "no" : "not known: too many triangles lie near each other to look at all")
+                       : fmt::format("{}{} pairs of triangles, the first {} and {}; where a part overlaps itself its "
+                                     "volume counts twice, and water may leak through",
+                                     cuts.all ? "" : "at least ", cuts.pairs, file.origin.describe(cuts.first[0]),
+                                     file.origin.describe(cuts.first[1])));
 }
 
 void report_size(const TriangleMesh& mesh, std::ostream& out) {
@@ -52,6 +71,9 @@ void report_size(const TriangleMesh& mesh, std::ostream& out) {
   line(out, "triangles", fmt::format("{}, {} vertices", mesh.triangles.size(), mesh.vertices.size()));
   line(out, "bounds", text_of(box.min()) + " to " + text_of(box.max()) + " m");
   line(out, "length, beam, height", text_of(box.sizes()) + " m");
+}
+
+void report_area(const TriangleMesh& mesh, std::ostream& out) {
   line(out, "area", fmt::format("{:.5g} m^2", mesh_area(mesh)));
 }
 
@@ -79,9 +101,31 @@ void report_water(const TriangleMesh& mesh, const MeshQuestions& questions, std:
   line(out, "  wetted area", fmt::format("{:.5g} m^2", h.wetted_area));
 }
 
+/// What is said of the parts, and the boundary of their union; nothing where they have none.
+std::optional<TriangleMesh> unite(const MeshFile& file, std::ostream& out) {
+  MeshUnion united = unite_parts(file.mesh, file.origin);
+  if (report_faults(united.faults, out)) return std::nullopt;
+  line(out, "watertight", "yes, no faults");
+  line(out, "parts", count_parts(united.parts));
+  for (const std::string& note : united.notes) fmt::print(out, "  {}\n", note);
+  report_cuts(file, united.part, out);
+  return std::move(united.mesh);
+}
+
+/// Of a closed mesh without faults. @return whether it can be a body
+bool report_solid(const MeshFile& file, const MeshQuestions& questions, std::ostream& out) {
+  const std::optional<TriangleMesh> surface = unite(file, out);
+  if (!surface) return false;
+  report_area(*surface, out);
+  report_volume(*surface, out);
+  if (questions.waterline || questions.draft) report_water(*surface, questions, out);
+  return true;
+}
+
 /// @return whether the mesh can be sampled
-bool report_samples(const TriangleMesh& mesh, const MeshQuestions& questions, std::ostream& out) {
-  const BodyShape shape = make_body_shape(mesh, questions.spacing, questions.inset, questions.options.kind);
+bool report_samples(const MeshFile& file, const MeshQuestions& questions, std::ostream& out) {
+  const BodyShape shape =
+      make_body_shape(file.mesh, questions.spacing, questions.inset, questions.options.kind, file.origin);
   for (const std::string& fault : shape.faults) line(out, "cannot be sampled", fault);
   if (!shape.faults.empty()) return false;
   line(out, "samples",
@@ -94,16 +138,19 @@ bool report_samples(const TriangleMesh& mesh, const MeshQuestions& questions, st
 
 bool report_mesh(const std::string& name, const MeshQuestions& questions, std::ostream& out) {
   const MeshFile file = load(name, questions.options);
-  const bool closed = questions.options.kind == MeshKind::kClosed;
   const bool finite = std::all_of(file.mesh.vertices.begin(), file.mesh.vertices.end(),
                                   [](const Eigen::Vector3d& v) { return v.allFinite(); });
   line(out, "mesh", name);
   if (!file.mesh.triangles.empty() && finite) report_size(file.mesh, out);
-  report_soundness(file, questions.options.kind, out);
-  if (!file.faults.empty()) return false;
-  if (closed) report_volume(file.mesh, out);
-  if (closed && (questions.waterline || questions.draft)) report_water(file.mesh, questions, out);
-  return questions.spacing <= 0.0 || report_samples(file.mesh, questions, out);
+  if (report_faults(file.faults, out)) return false;
+  if (questions.options.kind == MeshKind::kClosed) {
+    if (!report_solid(file, questions, out)) return false;
+  } else {
+    line(out, "open, one-sided", "yes, no faults");
+    report_cuts(file, {}, out);
+    report_area(file.mesh, out);
+  }
+  return questions.spacing <= 0.0 || report_samples(file, questions, out);
 }
 
 }  // namespace pelagos

@@ -114,6 +114,7 @@ void Server::open_world() {
   world.progress = [this](double) { return !stop_.load(); };
   log_info(fmt::format("scene {}: placing and settling the water", options_.scene.name));
   world_ = std::make_unique<World>(options_.scene, world);
+  for (const std::string& note : world_->bodies().mesh_notes()) log_info(note);
   tell_names();
   if (options_.scene.governor.on && !options_.replay) {
     governor_.emplace(options_.scene, world_->effort());

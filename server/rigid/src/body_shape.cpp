@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "poisson_disk.hpp"
+#include "rigid/mesh_union.hpp"
 
 namespace pelagos {
 
@@ -94,6 +96,20 @@ std::vector<Eigen::Vector3d> make_candidates(const TriangleMesh& mesh, const Bod
   return candidates;
 }
 
+/// The surface that the water meets: of a closed mesh the boundary of what its parts make together, of an open one the
+/// mesh, with its rim.
+void take_surface(const TriangleMesh& mesh, const MeshOrigin& origin, BodyShape& shape) {
+  if (shape.kind == MeshKind::kOpen) {
+    shape.mesh = mesh;
+    for (const auto& [from, to] : rim_edges(mesh)) shape.rim.push_back({mesh.vertices[from], mesh.vertices[to]});
+    return;
+  }
+  MeshUnion united = unite_parts(mesh, origin);
+  shape.mesh = std::move(united.mesh);
+  shape.notes = std::move(united.notes);
+  shape.faults = std::move(united.faults);
+}
+
 }  // namespace
 
 double BodyShape::signed_distance(const Eigen::Vector3d& point_body, double limit) const {
@@ -101,19 +117,20 @@ double BodyShape::signed_distance(const Eigen::Vector3d& point_body, double limi
   return inside(point_body) ? -distance : distance;
 }
 
-BodyShape make_body_shape(const TriangleMesh& mesh, double spacing, double inset, MeshKind kind) {
+BodyShape make_body_shape(const TriangleMesh& given, double spacing, double inset, MeshKind kind,
+                          const MeshOrigin& origin) {
   BodyShape shape;
   shape.kind = kind;
-  shape.faults = find_mesh_faults(mesh, kind);
+  shape.faults = find_mesh_faults(given, kind, origin);
+  if (shape.faults.empty()) take_surface(given, origin, shape);
+  const TriangleMesh& mesh = shape.mesh;
   const double step = kCandidateSpacing * spacing;
   if (shape.faults.empty() && !(count_surface_points(mesh, step) <= static_cast<double>(kMostCandidates)))
     shape.faults.push_back("the surface of " + std::to_string(mesh_area(mesh)) + " m^2 is too large to sample at " +
                            std::to_string(spacing) + " m: raise particle_spacing or mend mesh_scale");
   if (!shape.faults.empty()) return shape;
 
-  shape.mesh = mesh;
   if (kind == MeshKind::kClosed) shape.solid = mass_properties(mesh);
-  for (const auto& [from, to] : rim_edges(mesh)) shape.rim.push_back({mesh.vertices[from], mesh.vertices[to]});
   shape.surface = std::make_shared<const MeshQuery>(mesh);
   for (const Eigen::Vector3d& vertex : mesh.vertices) shape.bounding_box.extend(vertex);
 
@@ -128,9 +145,14 @@ BodyShape make_body_shape(const TriangleMesh& mesh, double spacing, double inset
 
 BodyShape load_body_shape(const std::string& path, const MeshOptions& options, double spacing, double inset) {
   MeshFile file = read_mesh(path, options);
-  if (file.faults.empty()) return make_body_shape(file.mesh, spacing, inset, options.kind);
   BodyShape shape;
-  shape.faults = std::move(file.faults);
+  if (!file.faults.empty()) {
+    shape.faults = std::move(file.faults);
+    return shape;
+  }
+  shape = make_body_shape(file.mesh, spacing, inset, options.kind, file.origin);
+  for (std::vector<std::string>* lines : {&shape.faults, &shape.notes})
+    for (std::string& line : *lines) line.insert(0, path + ": ");
   return shape;
 }
 

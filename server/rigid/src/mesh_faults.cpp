@@ -1,39 +1,20 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
+#include <span>
 #include <sstream>
-#include <utility>
 
+#include "mesh_edges.hpp"
+#include "rigid/mesh_union.hpp"
 #include "rigid/triangle_mesh.hpp"
+#include "union_words.hpp"
 
 namespace pelagos {
 
 namespace {
 
-constexpr std::size_t kFaultsShown = 3;  ///< of each kind
-constexpr double kFarthest = 1e6;        ///< m, of a coordinate
-constexpr double kLeastArea = 1e-12;     ///< of the size squared: less is no triangle
-
-/// Collects faults of one kind: the first few in words, the rest as a number.
-class FaultList {
- public:
-  explicit FaultList(std::string kind) : kind_(std::move(kind)) {}
-  void add(const std::string& text) {
-    if (++count_ <= kFaultsShown) shown_.push_back(kind_ + ": " + text);
-  }
-  void append_to(std::vector<std::string>& faults) const {
-    faults.insert(faults.end(), shown_.begin(), shown_.end());
-    if (count_ > kFaultsShown)
-      faults.push_back(kind_ + ": " + std::to_string(count_ - kFaultsShown) + " more, " + std::to_string(count_) +
-                       " in all");
-  }
-
- private:
-  std::string kind_;
-  std::vector<std::string> shown_;
-  std::size_t count_ = 0;
-};
+constexpr double kFarthest = 1e6;      ///< m, of a coordinate
+constexpr double kLeastArea = 1e-12;   ///< of the size squared: less is no triangle
+constexpr double kLeastVolume = 1e-9;  ///< of the size cubed: a part with less is looked at more closely
 
 std::string text_of(const Eigen::Vector3d& point) {
   std::ostringstream text;
@@ -45,28 +26,6 @@ Eigen::Vector3d size_of(const TriangleMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& vertex : mesh.vertices) box.extend(vertex);
   return box.sizes();
-}
-
-/// An edge, from its lower to its higher vertex, and the triangles that have it: those that run along it, and back.
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
-struct EdgeTriangles {
-  std::vector<std::size_t> along, back;
-  [[nodiscard]] std::size_t count() const { return along.size() + back.size(); }
-};
-using EdgeMap = std::map<Edge, EdgeTriangles>;
-
-EdgeMap collect_edges(const TriangleMesh& mesh) {
-  EdgeMap edges;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, d] = mesh.triangles[t];
-    if (a == b || b == d || d == a) continue;  // collapsed: its neighbours meet where it was
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint32_t from = mesh.triangles[t][c], to = mesh.triangles[t][(c + 1) % 3];
-      EdgeTriangles& edge = edges[std::minmax(from, to)];
-      (from < to ? edge.along : edge.back).push_back(t);
-    }
-  }
-  return edges;
 }
 
 void check_numbers(const TriangleMesh& mesh, std::vector<std::string>& faults) {
@@ -93,35 +52,32 @@ void check_areas(const TriangleMesh& mesh, const MeshOrigin& origin, std::vector
   degenerate.append_to(faults);
 }
 
-void check_edges(const TriangleMesh& mesh, const EdgeMap& edges, MeshKind kind, const MeshOrigin& origin,
+void check_edges(const TriangleMesh& mesh, std::span<const EdgeUse> uses, MeshKind kind, const MeshOrigin& origin,
                  std::vector<std::string>& faults) {
   FaultList open("open edge"), shared("edge shared by too many triangles");
-  for (const auto& [edge, triangles] : edges) {
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     const std::string place =
-        "from " + text_of(mesh.vertices[edge.first]) + " to " + text_of(mesh.vertices[edge.second]);
-    if (triangles.count() == 1 && kind == MeshKind::kClosed) {
-      const std::size_t only = triangles.along.empty() ? triangles.back[0] : triangles.along[0];
-      open.add("only " + origin.describe(only) + " has the edge " + place);
-    }
-    if (triangles.count() > 2) shared.add(std::to_string(triangles.count()) + " triangles have the edge " + place);
-  }
+        "from " + text_of(mesh.vertices[edge[0].low]) + " to " + text_of(mesh.vertices[edge[0].high]);
+    if (edge.size() == 1 && kind == MeshKind::kClosed)
+      open.add("only " + origin.describe(edge[0].triangle) + " has the edge " + place);
+    if (edge.size() > 2 && 2 * count_along(edge) != edge.size())
+      shared.add(std::to_string(edge.size()) + " triangles have the edge " + place + ", one of them " +
+                 origin.describe(edge[0].triangle) +
+                 "; allowed: two, or where parts touch as many along it as back. Remove what is inside a part, as a "
+                 "bulkhead without thickness is, or make it a closed part of its own");
+  });
   open.append_to(faults);
   shared.append_to(faults);
 }
 
-/// Which triangles face the same way: spread over edges that two triangles share.
+/// Which triangles face the same way: spread over edges at which two triangles are joined.
 class Orientation {
  public:
-  Orientation(const TriangleMesh& mesh, const EdgeMap& edges) : side_(mesh.triangles.size(), 0) {
+  Orientation(const TriangleMesh& mesh, std::span<const EdgePair> pairs) : side_(mesh.triangles.size(), 0) {
     std::vector<std::vector<Neighbor>> neighbors(mesh.triangles.size());
-    for (const auto& [edge, triangles] : edges) {
-      if (triangles.count() != 2) continue;
-      const bool agree = triangles.along.size() == 1;
-      const std::size_t a = triangles.along.empty() ? triangles.back[0] : triangles.along[0];
-      const std::size_t b = triangles.back.empty() ? triangles.along[1] : triangles.back[agree ? 0 : 1];
-      if (a == b) continue;  // degenerate
-      neighbors[a].push_back({b, agree});
-      neighbors[b].push_back({a, agree});
+    for (const EdgePair& pair : pairs) {
+      neighbors[pair.a].push_back({pair.b, pair.agree});
+      neighbors[pair.b].push_back({pair.a, pair.agree});
     }
     for (std::size_t t = 0; t < side_.size(); ++t)
       if (side_[t] == 0) spread(mesh, neighbors, t);
@@ -169,9 +125,9 @@ class Orientation {
   bool one_sided_ = false;
 };
 
-void check_orientation(const TriangleMesh& mesh, const EdgeMap& edges, const MeshOrigin& origin,
+void check_orientation(const TriangleMesh& mesh, std::span<const EdgePair> pairs, const MeshOrigin& origin,
                        std::vector<std::string>& faults) {
-  const Orientation orientation(mesh, edges);
+  const Orientation orientation(mesh, pairs);
   if (orientation.one_sided()) {
     faults.emplace_back(
         "the surface has a single side, as a Moebius strip: no choice of its triangles' order makes an "
@@ -185,28 +141,17 @@ void check_orientation(const TriangleMesh& mesh, const EdgeMap& edges, const Mes
   inverted.append_to(faults);
 }
 
-/// Each connected shell must enclose a positive volume.
-void check_shells(const TriangleMesh& mesh, const MeshOrigin& origin, std::vector<std::string>& faults) {
-  std::vector<std::uint32_t> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (const auto& triangle : mesh.triangles)
-    for (std::size_t c = 1; c < 3; ++c) parent[root(triangle[c])] = root(triangle[0]);
-  std::map<std::uint32_t, std::pair<double, std::size_t>> shells;  // volume, first triangle
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    auto& shell = shells.try_emplace(root(mesh.triangles[t][0]), 0.0, t).first->second;
-    shell.first += (mesh.corner(t, 0) - mesh.vertices.front()).dot(mesh.area_vector(t)) / 3.0;
-  }
-  FaultList inwards("shell facing inwards");
-  for (const auto& [vertex, shell] : shells)
-    if (!(shell.first > 0.0)) {
-      inwards.add("the one of " + origin.describe(shell.second) + " encloses " + std::to_string(shell.first) +
-                  " m^3; reverse its triangles");
-    }
-  inwards.append_to(faults);
+/// Each part must enclose a volume: a positive one, unless it is a cavity of others.
+void check_parts(const TriangleMesh& mesh, std::span<const EdgePair> pairs, const MeshOrigin& origin,
+                 std::vector<std::string>& faults) {
+  const MeshShells shells = find_shells(mesh.triangles.size(), pairs);
+  std::vector<double> volume(shells.first.size(), 0.0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    volume[shells.of[t]] +=
+        (mesh.corner(t, 0) - mesh.corner(shells.first[shells.of[t]], 0)).dot(mesh.area_vector(t)) / 3.0;
+  const double least = kLeastVolume * std::pow(size_of(mesh).maxCoeff(), 3.0);
+  if (std::any_of(volume.begin(), volume.end(), [&](double v) { return !(v > least); }))
+    faults = unite_parts(mesh, origin).faults;
 }
 
 }  // namespace
@@ -217,10 +162,11 @@ std::vector<std::string> find_mesh_faults(const TriangleMesh& mesh, MeshKind kin
   check_numbers(mesh, faults);
   if (!faults.empty()) return faults;
   check_areas(mesh, origin, faults);
-  const EdgeMap edges = collect_edges(mesh);
-  check_edges(mesh, edges, kind, origin, faults);
-  check_orientation(mesh, edges, origin, faults);
-  if (faults.empty() && kind == MeshKind::kClosed) check_shells(mesh, origin, faults);
+  const std::vector<EdgeUse> uses = collect_edges(mesh);
+  check_edges(mesh, uses, kind, origin, faults);
+  const std::vector<EdgePair> pairs = pair_triangles(mesh, uses);
+  check_orientation(mesh, pairs, origin, faults);
+  if (faults.empty() && kind == MeshKind::kClosed) check_parts(mesh, pairs, origin, faults);
   return faults;
 }
 

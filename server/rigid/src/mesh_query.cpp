@@ -11,8 +11,9 @@ namespace pelagos {
 namespace {
 
 constexpr std::uint32_t kLeafTriangles = 4;
-constexpr double kParallel = 1e-9;    ///< sine of the angle below which an edge lies in a triangle's plane
-constexpr std::size_t kDeepest = 64;  ///< of the tree: halving reaches 4 triangles after log2(n) levels
+constexpr std::size_t kMostPairs = 50'000'000;  ///< whose boxes meet, of triangles that may cut each other
+constexpr double kParallel = 1e-9;              ///< sine of the angle below which an edge lies in a triangle's plane
+constexpr std::size_t kDeepest = 64;            ///< of the tree: halving reaches 4 triangles after log2(n) levels
 
 /// The place of a triangle nearest to a point, by the regions of its plane (Ericson 2005, Real-Time Collision
 /// Detection, section 5.1.5).
@@ -229,22 +230,28 @@ void MeshQuery::for_each_in(const Eigen::AlignedBox3d& box, Visit&& visit) const
   }
 }
 
-std::size_t MeshQuery::count_self_intersections(std::array<std::uint32_t, 2>* first_pair) const {
-  std::size_t count = 0;
-  std::array<std::uint32_t, 2> lowest{std::numeric_limits<std::uint32_t>::max(), 0};
+SelfIntersections MeshQuery::find_self_intersections(std::span<const std::uint32_t> part) const {
+  SelfIntersections found;
+  std::size_t looked = 0;
+  found.first.fill(std::numeric_limits<std::uint32_t>::max());
   for (const Triangle& a : triangles_) {
+    if (looked > kMostPairs) {
+      found.all = false;
+      break;
+    }
     const Eigen::AlignedBox3d box = box_of(a.corner, a.edge1, a.edge2);
     for_each_in(box, [&](const Triangle& b) {
+      ++looked;
       if (b.number <= a.number || share_vertex(a.vertices, b.vertices)) return;
+      if (!part.empty() && part[a.number] != part[b.number]) return;
       if (!pierces(a.corner, a.edge1, a.edge2, b.corner, b.edge1, b.edge2) &&
           !pierces(b.corner, b.edge1, b.edge2, a.corner, a.edge1, a.edge2))
         return;
-      ++count;
-      lowest = std::min(lowest, std::array<std::uint32_t, 2>{a.number, b.number});
+      ++found.pairs;
+      found.first = std::min(found.first, std::array<std::uint32_t, 2>{a.number, b.number});
     });
   }
-  if (first_pair != nullptr && count > 0) *first_pair = lowest;
-  return count;
+  return found;
 }
 
 }  // namespace pelagos

@@ -67,6 +67,14 @@ Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::v
   if (faults.empty()) make_contacts(scene);
 }
 
+std::vector<std::string> Bodies::mesh_notes() const {
+  std::vector<std::string> notes;
+  for (const Body& body : bodies_)
+    for (const std::string& note : body.shape.notes)
+      notes.push_back("body " + std::to_string(body.settings.id) + " (" + body.settings.name + "): " + note);
+  return notes;
+}
+
 void Bodies::make_contacts(const Scene& scene) {
   if (std::none_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.free.has_value(); })) return;
   BodyContacts& contacts = contacts_.emplace(scene.particle_spacing);

@@ -20,12 +20,13 @@ namespace pelagos {
 struct BodyShape {
   std::vector<Eigen::Vector3f> samples;  ///< m
   MeshKind kind = MeshKind::kClosed;
-  TriangleMesh mesh;                                ///< m
+  TriangleMesh mesh;                                ///< m; of a closed one the union of its parts (unite_parts)
   MassProperties solid;                             ///< of a closed mesh; zero for an open one
   Eigen::AlignedBox3d bounding_box;                 ///< m, of the mesh
   double reach = 0.0;                               ///< m, largest distance of a sample from the body's origin
   std::vector<std::array<Eigen::Vector3d, 2>> rim;  ///< m, edges where an open mesh ends
   std::vector<std::string> faults;                  ///< not empty: the shape cannot be used, and why
+  std::vector<std::string> notes;                   ///< what a person should know of its parts
   std::shared_ptr<const MeshQuery> surface;
 
   /// Whether a point (body axes) is inside the mesh, or behind an open one. Water must not start there.
@@ -44,11 +45,14 @@ struct BodyShape {
 /// hole between them wider than that, about one for each spacing^2 as on the tank's walls. The same mesh gives the same
 /// samples. Farthest-point selection (Eldar et al. 1997) keeps the same bounds with 6 % fewer samples, whose volumes
 /// differ more (by 14 % rms instead of 12 %), and takes three to nine times as long.
-/// @param mesh     without faults of this kind; otherwise the shape carries them and is empty
+/// @param mesh     without faults of this kind; otherwise the shape carries them and is empty. The parts of a closed
+/// one
+///                 may overlap, touch and nest: the shape is that of their union
 /// @param spacing  particle spacing d, m, > 0
 /// @param inset    in spacings, >= 0
+/// @param origin   to name the mesh's triangles in faults and notes
 [[nodiscard]] BodyShape make_body_shape(const TriangleMesh& mesh, double spacing, double inset,
-                                        MeshKind kind = MeshKind::kClosed);
+                                        MeshKind kind = MeshKind::kClosed, const MeshOrigin& origin = {});
 
 /// The same from a file (read_mesh); the faults of the file become those of the shape.
 [[nodiscard]] BodyShape load_body_shape(const std::string& path, const MeshOptions& options, double spacing,

@@ -27,7 +27,8 @@ struct Hydrostatics {
 /// Exact for the mesh: triangles are clipped at the plane; volume and moments are sums over tetrahedra with their apex
 /// in the plane, so that the lid which would close the clipped mesh adds nothing. The waterplane is that lid: the wet
 /// triangles' projection, with its sign turned.
-/// @param mesh  closed, without faults. Where shells overlap, the overlap counts twice
+/// @param mesh  closed, without faults; of parts that overlap the boundary of their union (unite_parts), or the overlap
+///              counts twice
 [[nodiscard]] Hydrostatics hydrostatics(const TriangleMesh& mesh, const WaterPlane& water);
 
 }  // namespace pelagos

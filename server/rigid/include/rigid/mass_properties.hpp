@@ -17,7 +17,8 @@ struct MassProperties {
 /// polyhedral mass properties") and Eberly (2002, "Polyhedral mass properties") reduce to sums over faces; here over
 /// the tetrahedra between each triangle and one point, with
 ///   int x x^T dV = V/20 [a a^T + b b^T + c c^T + (a + b + c)(a + b + c)^T]        corners a, b, c and the origin
-/// @param mesh  closed, without faults. Where shells overlap, the overlap counts twice
+/// @param mesh  closed, without faults; of parts that overlap the boundary of their union (unite_parts), or the overlap
+///              counts twice
 [[nodiscard]] MassProperties mass_properties(const TriangleMesh& mesh);
 
 }  // namespace pelagos

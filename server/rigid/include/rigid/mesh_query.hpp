@@ -5,11 +5,19 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "rigid/triangle_mesh.hpp"
 
 namespace pelagos {
+
+/// Where a surface cuts itself.
+struct SelfIntersections {
+  std::size_t pairs = 0;                 ///< of triangles
+  std::array<std::uint32_t, 2> first{};  ///< the first pair, numbered as in the mesh; none where pairs is 0
+  bool all = true;                       ///< false: there were too many to look at all
+};
 
 /// Distances, rays and inside tests on a mesh, through a tree of bounding boxes: the time of a query grows with the
 /// logarithm of the number of triangles. Immutable after construction; any number of threads may ask.
@@ -36,8 +44,9 @@ class MeshQuery {
   [[nodiscard]] bool behind(const Eigen::Vector3d& point) const;
 
   /// Pairs of triangles that cut each other; pairs that share a vertex are not looked at, and neither is overlap within
-  /// one plane. @param first_pair  out, if not null: the triangles of the first pair found, numbered as in the mesh
-  [[nodiscard]] std::size_t count_self_intersections(std::array<std::uint32_t, 2>* first_pair = nullptr) const;
+  /// one plane. After so many pairs whose boxes meet (kMostPairs) it ends.
+  /// @param part  [triangles] if not empty: pairs of different parts are not looked at either
+  [[nodiscard]] SelfIntersections find_self_intersections(std::span<const std::uint32_t> part = {}) const;
 
   [[nodiscard]] const Eigen::AlignedBox3d& bounding_box() const { return box_; }
 

@@ -55,10 +55,10 @@ struct MeshFile {
 [[nodiscard]] TriangleMesh weld_parts(const TriangleMesh& mesh, std::span<const std::uint32_t> part, double distance);
 
 /// Whether the mesh can be a body: numbers in range, no degenerate triangle, each edge between two triangles that run
-/// round it in opposite ways (or at the rim of an open mesh), every closed shell facing outwards. One line for each
-/// fault, the first few of a kind with the place, the rest counted. Triangles are named by their origin, or numbered
-/// from
-/// 1. Whether the surface cuts itself is another question: count_self_intersections.
+/// round it in opposite ways (or at the rim of an open mesh), every part facing outwards or a cavity of others
+/// (unite_parts). Where parts touch, an edge may have more triangles, as many along as back. One line for each fault,
+/// the first few of a kind with the place, the rest counted. Triangles are named by their origin, or numbered from
+/// 1. Whether the surface cuts itself is another question: MeshQuery::find_self_intersections.
 [[nodiscard]] std::vector<std::string> find_mesh_faults(const TriangleMesh& mesh, MeshKind kind = MeshKind::kClosed,
                                                         const MeshOrigin& origin = {});
 

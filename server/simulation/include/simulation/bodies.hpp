@@ -27,6 +27,9 @@ class Bodies {
   /// @param faults  out: what is wrong with which body; then nothing can be used
   Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::vector<std::string>& faults);
 
+  /// What a person should know of the bodies' meshes: cavities, parts that overlap (BodyShape::notes).
+  [[nodiscard]] std::vector<std::string> mesh_notes() const;
+
   [[nodiscard]] bool empty() const { return bodies_.empty(); }
   [[nodiscard]] std::size_t sample_count() const { return volumes_.size() + static_.size(); }
   [[nodiscard]] std::size_t moving_sample_count() const { return volumes_.size(); }

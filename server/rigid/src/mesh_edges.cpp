@@ -1,0 +1,144 @@
+#include "mesh_edges.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <numbers>
+#include <numeric>
+#include <tuple>
+
+namespace pelagos {
+
+namespace {
+
+constexpr double kSameAngle = 1e-6;  ///< rad: triangles round an edge that lie on one another
+
+/// How many triangles before it have the same corners in the same order: 0 but for copies.
+std::vector<std::uint32_t> count_copies(const TriangleMesh& mesh) {
+  std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> sorted;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    auto corners = mesh.triangles[t];
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    sorted.emplace_back(corners, t);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::uint32_t> copies(sorted.size(), 0);
+  for (std::size_t n = 1; n < sorted.size(); ++n)
+    if (sorted[n].first == sorted[n - 1].first) copies[sorted[n].second] = copies[sorted[n - 1].second] + 1;
+  return copies;
+}
+
+std::uint32_t third_vertex(const TriangleMesh& mesh, const EdgeUse& use) {
+  for (const std::uint32_t vertex : mesh.triangles[use.triangle])
+    if (vertex != use.low && vertex != use.high) return vertex;
+  return use.low;
+}
+
+/// The uses of an edge in the order of their angles round it, copies in the order of the mesh.
+std::vector<EdgeUse> sort_round_edge(const TriangleMesh& mesh, std::span<const EdgeUse> uses,
+                                     std::span<const std::uint32_t> copies) {
+  const Eigen::Vector3d& low = mesh.vertices[uses[0].low];
+  const Eigen::Vector3d axis = (mesh.vertices[uses[0].high] - low).normalized();
+  const Eigen::Vector3d right = axis.unitOrthogonal(), up = axis.cross(right);
+  const auto whole_turn = static_cast<std::int64_t>(std::llround(2.0 * std::numbers::pi / kSameAngle));
+  std::vector<std::tuple<std::int64_t, std::uint32_t, std::size_t>> order;
+  for (std::size_t n = 0; n < uses.size(); ++n) {
+    const Eigen::Vector3d arm = mesh.vertices[third_vertex(mesh, uses[n])] - low;
+    const auto angle = static_cast<std::int64_t>(std::llround(std::atan2(arm.dot(up), arm.dot(right)) / kSameAngle));
+    order.emplace_back((angle + whole_turn) % whole_turn, copies[uses[n].triangle], n);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<EdgeUse> sorted;
+  for (const auto& place : order) sorted.push_back(uses[std::get<2>(place)]);
+  return sorted;
+}
+
+/// Joins the triangles of an edge that has as many along as back. The solid lies behind a triangle: with growing angle
+/// it ends at those that run along the edge, and begins at those that run back.
+void pair_by_angle(std::vector<EdgeUse> round, std::vector<EdgePair>& pairs) {
+  std::ptrdiff_t depth = 0, least = 0, start = 0;
+  for (std::size_t n = 0; n < round.size(); ++n) {
+    depth += round[n].along ? -1 : 1;
+    if (depth >= least) continue;
+    least = depth;
+    start = static_cast<std::ptrdiff_t>(n) + 1;
+  }
+  std::rotate(round.begin(), round.begin() + start, round.end());
+  std::deque<std::uint32_t> begun;
+  for (const EdgeUse& use : round) {
+    if (!use.along) {
+      begun.push_back(use.triangle);
+      continue;
+    }
+    pairs.push_back({begun.front(), use.triangle, true});
+    begun.pop_front();
+  }
+}
+
+}  // namespace
+
+std::vector<EdgeUse> collect_edges(const TriangleMesh& mesh) {
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& corners = mesh.triangles[t];
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t from = corners[c], to = corners[(c + 1) % 3];
+      uses.push_back({std::min(from, to), std::max(from, to), t, from < to});
+    }
+  }
+  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
+  return uses;
+}
+
+std::size_t count_along(std::span<const EdgeUse> uses) {
+  return static_cast<std::size_t>(
+      std::count_if(uses.begin(), uses.end(), [](const EdgeUse& use) { return use.along; }));
+}
+
+std::vector<EdgePair> pair_triangles(const TriangleMesh& mesh, std::span<const EdgeUse> uses) {
+  std::vector<EdgePair> pairs;
+  pairs.reserve(uses.size() / 2);
+  std::vector<std::uint32_t> copies;  // counted where an edge asks
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    if (edge.size() == 2) {
+      pairs.push_back({edge[0].triangle, edge[1].triangle, edge[0].along != edge[1].along});
+    } else if (2 * count_along(edge) == edge.size()) {
+      if (copies.empty()) copies = count_copies(mesh);
+      pair_by_angle(sort_round_edge(mesh, edge, copies), pairs);
+    }
+  });
+  return pairs;
+}
+
+MeshShells find_shells(std::size_t triangles, std::span<const EdgePair> pairs) {
+  std::vector<std::uint32_t> parent(triangles);
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t t) {
+    while (parent[t] != t) t = parent[t] = parent[parent[t]];
+    return t;
+  };
+  for (const EdgePair& pair : pairs) {
+    const std::uint32_t a = root(pair.a), b = root(pair.b);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  MeshShells shells;
+  shells.of.resize(triangles);
+  for (std::uint32_t t = 0; t < triangles; ++t) {
+    const std::uint32_t first = root(t);  // the lowest of its shell
+    if (first == t) {
+      shells.of[t] = static_cast<std::uint32_t>(shells.first.size());
+      shells.first.push_back(t);
+    } else {
+      shells.of[t] = shells.of[first];
+    }
+  }
+  return shells;
+}
+
+}  // namespace pelagos

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rigid/mesh_union.hpp"
+
+namespace pelagos {
+
+/// Collects faults or notes of one kind: the first few in words, the rest as a number.
+class FaultList {
+ public:
+  explicit FaultList(std::string kind) : kind_(std::move(kind)) {}
+  void add(const std::string& text);
+  void append_to(std::vector<std::string>& faults) const;
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+
+ private:
+  std::string kind_;
+  std::vector<std::string> shown_;
+  std::size_t count_ = 0;
+};
+
+// What is said of the parts of a mesh.
+[[nodiscard]] std::string words_of_flat_part(const MeshOrigin& origin, const MeshPart& part);
+/// @param partly  some of it lies in a part that it could be a cavity of
+[[nodiscard]] std::string words_of_inward_part(const MeshOrigin& origin, const MeshPart& part, bool partly);
+[[nodiscard]] std::string words_of_turned_file(double volume);
+[[nodiscard]] std::string words_of_too_much_work(std::size_t parts);
+
+/// Cavities, parts that add nothing, and overlap.
+[[nodiscard]] std::vector<std::string> union_notes(const TriangleMesh& mesh, const MeshOrigin& origin,
+                                                   const MeshUnion& united);
+
+}  // namespace pelagos
