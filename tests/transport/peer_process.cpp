@@ -1,5 +1,6 @@
 // The other side, for tests that stop or kill it. Ends after 60 s at the latest.
-//   pelagos-test-peer viewer DOMAIN   follows the frames, prints "frame N missed M" for each one that it takes
+//   pelagos-test-peer viewer DOMAIN   follows the frames, prints "frame N missed M" for each one that it takes, with
+//                                 "no server" or "server" behind it
 //   pelagos-test-peer server DOMAIN   publishes a frame every 20 ms
 #include <chrono>
 #include <cstdio>
@@ -18,8 +19,9 @@ void run_viewer(const DdsSettings& settings, Clock::time_point end) {
   while (Clock::now() < end) {
     if (!receiver.wait_for_frame(std::chrono::milliseconds(200))) continue;
     auto frame = receiver.take_newest();
-    std::printf("frame %llu missed %llu\n", static_cast<unsigned long long>(frame->frame),
-                static_cast<unsigned long long>(receiver.counters().missed));
+    std::printf("frame %llu missed %llu %s\n", static_cast<unsigned long long>(frame->frame),
+                static_cast<unsigned long long>(receiver.counters().missed),
+                receiver.server_alive() ? "server" : "no server");
     std::fflush(stdout);
     receiver.recycle(std::move(frame));
   }

@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <limits>
+#include <mutex>
 
 #include "pelagos_dds/entities.hpp"
 #include "wire/convert.hpp"
@@ -116,6 +118,49 @@ TEST_F(Loopback, RestartedServerIsFollowed) {
     return frame && frame->source == publisher_->source();
   }));
   EXPECT_TRUE(eventually([this] { return receiver_->scene_info().has_value(); }));
+}
+
+TEST_F(Loopback, LateViewerOfAPausedSeaHasItsLastFrame) {
+  start();
+  ServerStatus paused;
+  paused.paused = true;
+  auto snapshot = test_snapshot(*publisher_, 41, 10);
+  snapshot->oil.emplace().discs = {{0.0F, 1.0F, 0.0F, 2.0F, 1e-3F, 50.0F, 0.0F, {}, false}};
+  publisher_->submit(std::move(snapshot));
+  ASSERT_TRUE(receiver_->wait_for_frame(kPatience));
+  ASSERT_TRUE(receiver_->take_newest());
+  publisher_->submit_status(paused);
+
+  FrameReceiver late(test_settings());
+  ASSERT_TRUE(late.wait_for_frame(kPatience));
+  const auto frame = late.take_newest();
+  EXPECT_EQ(frame->frame, 41U);
+  EXPECT_EQ(frame->particles.size(), 10U);
+  ASSERT_EQ(frame->bodies.size(), 1U);
+  EXPECT_EQ(frame->bodies[0].position, Eigen::Vector3d(10.0, 20.0, 0.75));
+  EXPECT_TRUE(eventually([&] { return late.slick() && late.status() && late.status()->paused; }));
+  EXPECT_EQ(late.slick()->discs.size(), 1U);
+  // For who has it already it is a sign of life, not a frame.
+  EXPECT_TRUE(eventually([&] { return receiver_->counters().repeated >= 2; }));
+  EXPECT_EQ(receiver_->counters().received, 1U);
+  EXPECT_EQ(receiver_->take_newest(), nullptr);
+  EXPECT_TRUE(receiver_->server_alive());
+  EXPECT_EQ(publisher_->counters().published, 1U);
+}
+
+TEST_F(Loopback, AServerThatStartsIsHeardBeforeItHasAScene) {
+  participant_ = join_dds(test_settings());
+  publisher_ = std::make_unique<FramePublisher>(participant_, std::nullopt);
+  ServerStatus starting;
+  starting.scene = "bay";
+  publisher_->submit_status(starting);
+  receiver_ = std::make_unique<FrameReceiver>(test_settings());
+  ASSERT_TRUE(eventually([&] { return receiver_->status().has_value(); })) << "said again for a viewer that is late";
+  EXPECT_EQ(receiver_->status()->scene, "bay");
+  EXPECT_TRUE(receiver_->server_alive());
+  EXPECT_FALSE(receiver_->scene_info());
+  publisher_->publish_scene_info(test_scene());
+  EXPECT_TRUE(eventually([&] { return receiver_->scene_info().has_value(); }));
 }
 
 TEST_F(Loopback, StatusWindAndEventsComeThrough) {
@@ -321,10 +366,10 @@ TEST_F(HostileWriter, SceneWithFaultsIsRefused) {
   bad[2].tank_max.x = std::numeric_limits<double>::infinity();
   bad[3].origin_latitude_deg = 91.0;
   for (const pelagos_SceneInfoV1& sample : bad) {
-    EXPECT_NE(wire::find_fault(sample), nullptr);
+    EXPECT_TRUE(wire::find_fault(sample));
     ASSERT_TRUE(writer.write(&sample));
   }
-  EXPECT_EQ(wire::find_fault(good.get()), nullptr);
+  EXPECT_FALSE(wire::find_fault(good.get()));
   ASSERT_TRUE(writer.write(&good.get()));
   ASSERT_TRUE(eventually([this] { return receiver_->scene_info().has_value(); }));
   EXPECT_EQ(receiver_->scene_revision(), 1U);
@@ -338,6 +383,59 @@ TEST_F(HostileWriter, SecondServerIsIgnoredWhileTheFirstLives) {
   ASSERT_TRUE(writer_->write(&sample_));
   EXPECT_TRUE(eventually([this] { return receiver_->counters().foreign == 1; }));
   EXPECT_EQ(receiver_->take_newest(), nullptr);
+}
+
+TEST_F(HostileWriter, ASecondProcessThatUsesTheSourceIsRefusedAndTold) {
+  std::mutex mutex;
+  std::vector<std::string> lines;
+  receiver_ = std::make_unique<FrameReceiver>(test_settings([&](std::string_view line) {
+    const std::lock_guard lock(mutex);
+    lines.emplace_back(line);
+  }));
+  ASSERT_TRUE(eventually([this] { return writer_->matched_readers() >= 1; }));
+  ASSERT_TRUE(eventually([this] {
+    ++sample_.frame;
+    (void)writer_->write(&sample_);
+    return receiver_->take_newest() != nullptr;
+  }));
+  const auto stranger = join_dds(test_settings());
+  const DdsWriter second(*stranger, topics::ocean_frame());
+  pelagos_OceanFrameV1 forged = sample_;
+  forged.frame = std::numeric_limits<std::uint64_t>::max();
+  ASSERT_TRUE(eventually([&] {
+    (void)second.write(&forged);
+    return receiver_->counters().intruding >= 3;
+  }));
+  const auto own = receiver_->take_newest();  // there may be one
+  EXPECT_TRUE(!own || own->frame == sample_.frame);
+  EXPECT_EQ(receiver_->counters().jumps, 0U);
+  ++sample_.frame;
+  ASSERT_TRUE(writer_->write(&sample_));
+  ASSERT_TRUE(receiver_->wait_for_frame(kPatience)) << "the first goes on";
+  EXPECT_EQ(receiver_->counters().missed, 0U);
+  const std::lock_guard lock(mutex);
+  EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                          [](const std::string& line) { return line.find("a second process sends frame") == 0; }),
+            1);
+}
+
+TEST_F(HostileWriter, EachKindOfFaultIsToldOnce) {
+  std::mutex mutex;
+  std::string told;
+  receiver_ = std::make_unique<FrameReceiver>(test_settings([&](std::string_view line) {
+    const std::lock_guard lock(mutex);
+    told += std::string(line) + "\n";
+  }));
+  ASSERT_TRUE(eventually([this] { return writer_->matched_readers() >= 1; }));
+  sample_.record_bytes = 16;
+  ASSERT_TRUE(eventually([&] {
+    (void)writer_->write(&sample_);
+    return receiver_->counters().refused >= 20;
+  }));
+  const std::lock_guard lock(mutex);
+  const auto first = told.find("frame refused: record_bytes is not 20");
+  EXPECT_NE(first, std::string::npos) << told;
+  EXPECT_EQ(told.find("frame refused: record_bytes", first + 1), std::string::npos);
 }
 
 }  // namespace

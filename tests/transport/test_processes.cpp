@@ -1,6 +1,8 @@
 // Viewers in other processes, over the loopback network, and what becomes of the others when one goes bad.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "child_process.hpp"
 #include "loopback.hpp"
 #include "transport/pose_receiver.hpp"
@@ -84,7 +86,7 @@ TEST_F(Processes, SlowViewerGetsNewFramesAndTheWriterGoesOn) {
   EXPECT_EQ(publisher_->counters().failed, 0U);
 }
 
-TEST(ServerProcess, KilledServerIsNoticedByItsLiveliness) {
+TEST(ServerProcess, KilledServerIsNoticed) {
   FrameReceiver receiver(test_settings());
   const auto server = std::make_unique<ChildProcess>(
       std::vector<std::string>{PELAGOS_TEST_PEER, "server", std::to_string(test_settings().domain)});
@@ -93,8 +95,47 @@ TEST(ServerProcess, KilledServerIsNoticedByItsLiveliness) {
   server->signal(SIGKILL);
   const auto killed = std::chrono::steady_clock::now();
   ASSERT_TRUE(eventually([&] { return !receiver.server_alive(); }));
-  // The lease is 1 s; the participant itself would be missed after 10 s only.
+  // After 2 s of silence; the participant itself would be missed after 10 s only.
   EXPECT_LT(std::chrono::steady_clock::now() - killed, 8s);
+}
+
+/// Longer than the lease of the server's liveliness and than the silence after which it counts as gone.
+constexpr auto kBreak = 3s;
+
+TEST(ServerProcess, AfterABreakTheFirstSampleIsASignOfLife) {
+  FrameReceiver receiver(test_settings());
+  const ChildProcess server({PELAGOS_TEST_PEER, "server", std::to_string(test_settings().domain)});
+  ASSERT_TRUE(receiver.wait_for_frame(kPatience));
+  ASSERT_TRUE(eventually([&] { return receiver.server_alive() && receiver.scene_info().has_value(); }));
+  server.signal(SIGSTOP);
+  std::this_thread::sleep_for(kBreak);
+  (void)receiver.take_newest();
+  EXPECT_FALSE(receiver.server_alive());
+  const std::uint64_t revision = receiver.scene_revision();
+  server.signal(SIGCONT);
+  for (int frame = 0; frame < 20; ++frame) {
+    ASSERT_TRUE(receiver.wait_for_frame(kPatience));
+    EXPECT_TRUE(receiver.server_alive()) << "with each frame after the break";
+    (void)receiver.take_newest();
+  }
+  EXPECT_EQ(receiver.scene_revision(), revision) << "nothing but frames was needed";
+}
+
+TEST_F(Processes, AViewerThatWasStoppedSeesTheServerAtOnce) {
+  const auto viewer = start_reader();
+  ASSERT_TRUE(publish_until_seen({viewer.get()}, 5));
+  viewer->signal(SIGSTOP);
+  const auto end = std::chrono::steady_clock::now() + kBreak;
+  while (std::chrono::steady_clock::now() < end) publish_one();
+  (void)viewer->read_output(0ms);
+  viewer->signal(SIGCONT);
+  std::string text;
+  ASSERT_TRUE(eventually([&] {
+    publish_one();
+    text += viewer->read_output(0ms);
+    return std::count(text.begin(), text.end(), '\n') >= 20;
+  }));
+  EXPECT_EQ(text.find("no server"), std::string::npos) << text;
 }
 
 TEST_F(Processes, ExampleBridgeIsHeardAndEndsByItself) {

@@ -115,7 +115,7 @@ class SlickOnTheWire : public testing::Test {
 };
 
 TEST_F(SlickOnTheWire, RoundTrip) {
-  EXPECT_EQ(wire::find_fault(slick_), nullptr);
+  EXPECT_FALSE(wire::find_fault(slick_));
   OceanSlick back;
   back.origin = wire::from_wire(slick_.origin);
   for (const pelagos_SlickElementV1& element : elements_) back.discs.push_back(wire::from_wire(element));
@@ -126,7 +126,7 @@ TEST_F(SlickOnTheWire, EveryValueIsChecked) {
   const auto fault_with = [this](auto&& change) {
     const auto good = elements_;
     change(elements_[1]);
-    const bool found = wire::find_fault(slick_) != nullptr;
+    const bool found = wire::find_fault(slick_).has_value();
     elements_ = good;
     return found;
   };
@@ -157,19 +157,19 @@ TEST_F(SlickOnTheWire, EveryValueIsChecked) {
 TEST_F(SlickOnTheWire, HeaderIsChecked) {
   pelagos_SlickV1 bad = slick_;
   bad.origin.y = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(wire::find_fault(bad), nullptr);
+  EXPECT_TRUE(wire::find_fault(bad));
   bad = slick_;
   bad.simulation_time = std::numeric_limits<double>::infinity();
-  EXPECT_NE(wire::find_fault(bad), nullptr);
+  EXPECT_TRUE(wire::find_fault(bad));
 }
 
 TEST_F(SlickOnTheWire, ElementsAreBounded) {
   elements_.resize(200'001, elements_[0]);
   slick_.elements._buffer = elements_.data();
   slick_.elements._length = 200'000;
-  EXPECT_EQ(wire::find_fault(slick_), nullptr);
+  EXPECT_FALSE(wire::find_fault(slick_));
   slick_.elements._length = 200'001;
-  EXPECT_NE(wire::find_fault(slick_), nullptr);
+  EXPECT_TRUE(wire::find_fault(slick_));
 }
 
 TEST_F(SlickOnTheWire, BadSlicksAreRefusedCountedAndLeaveTheLastOne) {

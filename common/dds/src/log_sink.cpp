@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dds_messages.hpp"
+#include "text/printable.hpp"
 
 namespace pelagos {
 
@@ -61,12 +62,12 @@ void receive_message(void*, const dds_log_data_t* data) {
       const std::lock_guard lock(sink.mutex);
       if (sink.collected != nullptr) {
         if (!sink.collected->empty()) sink.collected->append("; ");
-        sink.collected->append(line);
+        sink.collected->append(printable(line));
         return;
       }
       log = sink.log;
     }
-    if (log) log->write("DDS: " + std::string(line));
+    if (log) log->write("DDS: " + printable(line));
   } catch (...) {  // out of memory while logging: drop the line
   }
 }

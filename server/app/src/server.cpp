@@ -99,10 +99,12 @@ void Server::open_links() {
   dds.config_file = options_.dds_config;
   dds.log = [](std::string_view line) { log_warning(line); };
   const auto participant = join_dds(dds);
-  open_world();
   PublisherSettings settings;
   settings.bodies_in_ned = options_.bodies_in_ned;
-  publisher_ = std::make_unique<FramePublisher>(participant, world_->describe(), settings, dds.log);
+  publisher_ = std::make_unique<FramePublisher>(participant, std::nullopt, settings, dds.log);
+  publisher_->submit_status(status_);  // viewers see that a server starts
+  open_world();
+  publisher_->publish_scene_info(world_->describe());
   poses_ = std::make_unique<PoseReceiver>(participant, driven_bodies(options_.scene), options_.scene.origin, dds.log);
   probe_requests_ = std::make_unique<ProbeReceiver>(participant);
 }
@@ -266,10 +268,19 @@ void Server::publish_frame(StepReport& report) {
 
 void Server::wait_paused() {
   window_.skip_to(monotonic_ns());
+  if (frames_filled_ == 0) publish_first_frame();
   const std::uint64_t second = static_cast<std::uint64_t>(monotonic_ns() / 1'000'000'000);
   std::this_thread::sleep_for(kPausedSleep);
+  const bool told = status_.paused;  // only this thread writes it
   refresh_status();
-  if (static_cast<std::uint64_t>(monotonic_ns() / 1'000'000'000) != second) publisher_->submit_status(current_status());
+  if (!told || static_cast<std::uint64_t>(monotonic_ns() / 1'000'000'000) != second)
+    publisher_->submit_status(current_status());
+}
+
+/// The water at rest, for viewers of a sea that is paused before its first frame.
+void Server::publish_first_frame() {
+  StepReport report = last_report_;
+  publish_frame(report);
 }
 
 void Server::refresh_status() {

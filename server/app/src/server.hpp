@@ -98,6 +98,7 @@ class Server {
   void report_fault(const WorldStep& step);
   void govern(double frame_seconds);
   void wait_paused();
+  void publish_first_frame();
   void refresh_status();
   void log_status(const ServerStatus& status);
   void watch_poses(const std::vector<BodyState>& states);

@@ -38,6 +38,10 @@ std::uint64_t draw_source() {
   return std::max<std::uint64_t>(1, high << 32 | device());
 }
 
+/// So often at least a server is heard, and its last frame is sent again while no new one comes: a viewer that joins a
+/// paused sea has something to show within this time.
+constexpr std::chrono::milliseconds kRepeat{500};
+
 /// A thread that comes back from sleep may push another off its core at once, on busy machines for as long as a frame
 /// takes to publish. A batch thread does not: it waits for its turn, some milliseconds later.
 void use_batch_scheduling() {
@@ -52,8 +56,8 @@ std::size_t header_octets(std::size_t bodies) { return 112 + bodies * 128; }
 
 class FramePublisher::Implementation {
  public:
-  Implementation(std::shared_ptr<DdsParticipant> participant, const SceneInfo& info, const PublisherSettings& settings,
-                 DdsLog log)
+  Implementation(std::shared_ptr<DdsParticipant> participant, const std::optional<SceneInfo>& info,
+                 const PublisherSettings& settings, DdsLog log)
       : source_(settings.source != 0 ? settings.source : draw_source()),
         frame_(settings.bodies_in_ned ? pelagos_FRAME_NED : pelagos_FRAME_ENU),
         status_interval_(std::chrono::duration_cast<Clock::duration>(
@@ -67,7 +71,7 @@ class FramePublisher::Implementation {
         wind_writer_(*participant_, topics::wind()),
         event_writer_(*participant_, topics::event()) {
     if (const auto warning = check_receive_buffer()) log_.write(*warning);  // viewers mostly run on this machine too
-    publish_scene_info(info);
+    if (info) publish_scene_info(*info);
     thread_ = std::thread([this] { run(); });
   }
 
@@ -183,12 +187,14 @@ class FramePublisher::Implementation {
         work.particle_spacing = particle_spacing_;
       }
       if (work.snapshot || work.status || !work.events.empty()) return true;
+      if (Clock::now() - last_sign_ >= kRepeat) return true;  // with nothing new
       if (last_round) return false;
       std::this_thread::sleep_for(kPoll);
     }
   }
 
   void publish(const Work& work) {
+    if (!work.snapshot && Clock::now() - last_sign_ >= kRepeat) repeat_last();
     for (const Event& event : work.events) {
       const pelagos_EventV1 sample = wire::to_wire(event, source_);
       count_write(event_writer_.write(&sample), "event");
@@ -199,14 +205,32 @@ class FramePublisher::Implementation {
     if (work.snapshot && work.snapshot->oil) publish_oil(*work.snapshot, *work.snapshot->oil);
     if (work.status) {
       publish_status(*work.status);
-    } else if (work.snapshot && Clock::now() - last_status_ >= status_interval_) {
+    } else if (work.snapshot && is_due(work.snapshot->status)) {
       publish_status(work.snapshot->status);
     }
   }
 
+  /// Once an interval, and at once when the sea stops or goes on.
+  [[nodiscard]] bool is_due(const ServerStatus& status) const {
+    return Clock::now() - last_status_ >= status_interval_ ||
+           (status_to_repeat_ && status_to_repeat_->paused != status.paused);
+  }
+
+  /// What viewers that have just come need, and a sign of life for the others. The status first, so that they know
+  /// whether the frame is that of a paused sea.
+  void repeat_last() {
+    last_sign_ = Clock::now();
+    if (status_to_repeat_) publish_status(*status_to_repeat_);
+    if (!has_frame_ || frame_writer_.matched_readers() == 0) return;
+    count_write(frame_writer_.write(&frame_sample_.get()), "frame");
+    if (oil_sample_) count_write(slick_writer_->write(&oil_sample_->slick()), "slick");
+  }
+
   void publish_frame(const Snapshot& snapshot, double particle_spacing) {
     const auto begin = Clock::now();
+    last_sign_ = begin;
     const std::uint32_t refused = frame_sample_.fill(snapshot, particle_spacing, source_, frame_);
+    has_frame_ = true;
     const auto packed = Clock::now();
     const pelagos_OceanFrameV1& sample = frame_sample_.get();
     const bool written = frame_writer_.write(&sample);
@@ -235,9 +259,9 @@ class FramePublisher::Implementation {
       slick_writer_.emplace(*participant_, topics::slick());
       oil_budget_writer_.emplace(*participant_, topics::oil_budget());
     }
-    const wire::OilSample sample(snapshot, oil, source_);
-    count_write(slick_writer_->write(&sample.slick()), "slick");
-    count_write(oil_budget_writer_->write(&sample.budget()), "oil_budget");
+    oil_sample_.emplace(snapshot, oil, source_);
+    count_write(slick_writer_->write(&oil_sample_->slick()), "slick");
+    count_write(oil_budget_writer_->write(&oil_sample_->budget()), "oil_budget");
   }
 
   void publish_loads(const Snapshot& snapshot) {
@@ -268,6 +292,7 @@ class FramePublisher::Implementation {
   /// Status, and the wind with it.
   void publish_status(ServerStatus status) {
     last_status_ = Clock::now();
+    status_to_repeat_ = status;
     {
       const std::lock_guard lock(mutex_);
       status.frames_published = counters_.published;
@@ -317,7 +342,10 @@ class FramePublisher::Implementation {
 
   // Of the publisher thread alone.
   wire::OceanFrameSample frame_sample_;
-  Clock::time_point last_status_{};
+  bool has_frame_ = false;                     ///< in frame_sample_
+  std::optional<wire::OilSample> oil_sample_;  ///< of the same frame; of its skimmers' names nothing is sent again
+  std::optional<ServerStatus> status_to_repeat_;
+  Clock::time_point last_status_{}, last_sign_{Clock::now()};
 
   // The mailbox: no locks, since a thread that holds one may lose its core to the very thread that waits for it.
   std::atomic<Snapshot*> waiting_{nullptr};
@@ -339,7 +367,7 @@ class FramePublisher::Implementation {
   std::thread thread_;
 };
 
-FramePublisher::FramePublisher(std::shared_ptr<DdsParticipant> participant, const SceneInfo& info,
+FramePublisher::FramePublisher(std::shared_ptr<DdsParticipant> participant, const std::optional<SceneInfo>& info,
                                const PublisherSettings& settings, DdsLog log)
     : implementation_(std::make_unique<Implementation>(std::move(participant), info, settings, std::move(log))) {}
 FramePublisher::~FramePublisher() = default;

@@ -9,18 +9,21 @@
 #include <thread>
 #include <utility>
 
+#include "client/frame_count.hpp"
+#include "client/source_watch.hpp"
 #include "packing/particle_codec.hpp"
 #include "pelagos_dds/entities.hpp"
 #include "pelagos_dds/log_sink.hpp"
+#include "refusals.hpp"
 #include "wire/convert.hpp"
 #include "wire/topics.hpp"
+#include "writer_owners.hpp"
 
 namespace pelagos {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kSourceSilence = std::chrono::seconds(2);
 constexpr auto kPollInterval = std::chrono::milliseconds(250);
 constexpr std::size_t kMostEvents = 256;
 constexpr std::size_t kMostSpareFrames = 4;
@@ -31,6 +34,7 @@ class FrameReceiver::Implementation {
  public:
   explicit Implementation(const DdsSettings& settings)
       : log_(settings.log),
+        refusals_(settings.log),
         participant_(settings),
         frames_(participant_, topics::ocean_frame()),
         scenes_(participant_, topics::scene_info()),
@@ -41,7 +45,7 @@ class FrameReceiver::Implementation {
         waitset_(participant_) {
     if (const auto warning = check_receive_buffer()) log_.write(*warning);
     waitset_.attach(frames_);
-    waitset_.attach(scenes_, DDS_DATA_AVAILABLE_STATUS | DDS_LIVELINESS_CHANGED_STATUS);
+    waitset_.attach(scenes_);
     waitset_.attach(statuses_);
     waitset_.attach(winds_);
     waitset_.attach(slicks_);
@@ -86,7 +90,10 @@ class FrameReceiver::Implementation {
     return result;
   }
 
-  bool alive() const { return alive_; }
+  bool alive() const {
+    const Clock::rep heard = last_heard_;
+    return heard != 0 && Clock::now() - Clock::time_point(Clock::duration(heard)) < SourceWatch::kSilence;
+  }
 
   std::optional<SceneInfo> scene_;
   std::uint64_t scene_revision_ = 0;
@@ -108,23 +115,28 @@ class FrameReceiver::Implementation {
   }
 
   void take_samples() {
-    alive_ = scenes_.alive_writers() > 0;
-    scenes_.take_all<pelagos_SceneInfoV1>([this](const auto& sample) { accept_scene(sample); });
-    frames_.take_all<pelagos_OceanFrameV1>([this](const auto& sample) { accept_frame(sample); });
-    statuses_.take_all<pelagos_StatusV2>([this](const auto& sample) {
-      if (!is_followed(sample.source)) return;
+    // The status first: with a frame of a paused sea comes that it is paused.
+    take<pelagos_StatusV2>(statuses_, "status", &ReceiverCounters::others_refused, [this](const auto& sample) {
       ServerStatus status = wire::from_wire(sample);
       const std::lock_guard lock(mutex_);
       status_ = std::move(status);
     });
-    winds_.take_all<pelagos_WindV1>([this](const auto& sample) {
-      if (wire::find_fault(sample) != nullptr || !is_followed(sample.source)) return;
+    take<pelagos_SceneInfoV1>(
+        scenes_, "scene_info", &ReceiverCounters::others_refused, [this](const auto& sample) { accept_scene(sample); },
+        [this](const auto& sample, const auto& sender) { keep_for_later(sample, sender); });
+    take<pelagos_WindV1>(winds_, "wind", &ReceiverCounters::others_refused, [this](const auto& sample) {
       const std::lock_guard lock(mutex_);
       wind_ = sample.has_wind ? std::optional(wire::from_wire(sample.wind)) : std::nullopt;
     });
-    slicks_.take_all<pelagos_SlickV1>([this](const auto& sample) { accept_slick(sample); });
-    event_reader_.take_all<pelagos_EventV1>([this](const auto& sample) {
-      if (!is_followed(sample.source)) return;
+    take<pelagos_SlickV1>(slicks_, "slick", &ReceiverCounters::slicks_refused,
+                          [this](const auto& sample) { accept_slick(sample); });
+    take<pelagos_OceanFrameV1>(
+        frames_, "frame", &ReceiverCounters::refused, [this](const auto& sample) { accept_frame(sample); },
+        [this](const auto&, const auto&) {
+          const std::lock_guard lock(mutex_);
+          ++counters_.foreign;
+        });
+    take<pelagos_EventV1>(event_reader_, "event", &ReceiverCounters::others_refused, [this](const auto& sample) {
       Event event = wire::from_wire(sample);
       const std::lock_guard lock(mutex_);
       events_.push_back(std::move(event));
@@ -132,17 +144,51 @@ class FrameReceiver::Implementation {
     });
   }
 
-  /// Whether to listen to `source`; goes over to it if nobody is followed or the present one has gone silent.
-  bool is_followed(std::uint64_t source) {
-    const auto now = Clock::now();
-    if (source == source_) {
-      last_heard_ = now;
-      return true;
-    }
-    if (source_ != 0 && now - last_heard_ < kSourceSilence) return false;
-    source_ = source;
-    last_heard_ = now;
-    next_frame_.reset();
+  /// Takes what waits in a reader: `accept` gets the samples of the server that is followed, `other` those of others.
+  template <class Sample, class Accept, class Other>
+  void take(const DdsReader& reader, const char* topic, std::uint64_t ReceiverCounters::*refused, Accept&& accept,
+            Other&& other) {
+    reader.take_all<Sample>([&](const Sample& sample, const dds_sample_info_t& info) {
+      const std::optional<wire::SampleFault> fault = wire::find_fault(sample);
+      const SourceWatch::Sender sender{sample.source, owners_.of(reader, info.publication_handle)};
+      const Standing standing = hear(sender, !fault);
+      if (fault) {
+        refusals_.tell(topic, *fault);
+        const std::lock_guard lock(mutex_);
+        ++(counters_.*refused);
+      } else if (standing == Standing::kIntruder) {
+        refuse_intruder(topic, sample.source);
+      } else if (standing == Standing::kOther) {
+        other(sample, sender);
+      } else if (standing != Standing::kNobody) {
+        accept(sample);
+      }
+    });
+  }
+  template <class Sample, class Accept>
+  void take(const DdsReader& reader, const char* topic, std::uint64_t ReceiverCounters::*refused, Accept&& accept) {
+    take<Sample>(reader, topic, refused, std::forward<Accept>(accept), [](const auto&, const auto&) {});
+  }
+
+  Standing hear(const SourceWatch::Sender& sender, bool valid) {
+    const Standing standing = watch_.hear(sender, valid, Clock::now());
+    if (standing == Standing::kTakenOver) go_over_to(sender);
+    if (const auto heard = watch_.last_heard()) last_heard_ = heard->time_since_epoch().count();
+    return standing;
+  }
+
+  void refuse_intruder(const char* topic, std::uint64_t source) {
+    refusals_.tell_once("intruder", std::string("a second process sends ") + topic + " with the source " +
+                                        std::to_string(source) +
+                                        " of the server that is followed: its samples are refused while the first "
+                                        "lives. docs/operators.md says how DDS Security keeps strangers out");
+    const std::lock_guard lock(mutex_);
+    ++counters_.intruding;
+  }
+
+  /// What was known is of another server.
+  void go_over_to(const SourceWatch::Sender& sender) {
+    count_.restart();
     const std::lock_guard lock(mutex_);
     scene_.reset();
     status_.reset();
@@ -150,48 +196,42 @@ class FrameReceiver::Implementation {
     slick_.reset();
     // What the new server has said once, while the old one was followed.
     if (const auto other = std::find_if(other_scenes_.begin(), other_scenes_.end(),
-                                        [source](const auto& entry) { return entry.first == source; });
+                                        [&](const auto& entry) { return entry.first == sender; });
         other != other_scenes_.end()) {
       scene_ = std::move(other->second);
       ++scene_revision_;
       other_scenes_.erase(other);
     }
-    return true;
   }
 
   void accept_scene(const pelagos_SceneInfoV1& sample) {
-    if (const char* fault = wire::find_fault(sample)) {
-      log_.write(std::string("scene_info refused: ") + fault);
-      return;
-    }
     SceneInfo scene = wire::from_wire(sample);
-    if (!is_followed(sample.source)) {
-      constexpr std::size_t kMostOthers = 8;
-      if (other_scenes_.size() >= kMostOthers) other_scenes_.pop_front();
-      other_scenes_.emplace_back(sample.source, std::move(scene));
-      return;
-    }
     const std::lock_guard lock(mutex_);
     scene_ = std::move(scene);
     ++scene_revision_;
   }
 
+  void keep_for_later(const pelagos_SceneInfoV1& sample, const SourceWatch::Sender& sender) {
+    constexpr std::size_t kMostOthers = 8;
+    std::erase_if(other_scenes_, [&](const auto& entry) { return entry.first == sender; });
+    if (other_scenes_.size() >= kMostOthers) other_scenes_.pop_front();
+    other_scenes_.emplace_back(sender, wire::from_wire(sample));
+  }
+
   void accept_frame(const pelagos_OceanFrameV1& sample) {
-    if (const char* fault = wire::find_fault(sample)) {
-      log_.write(std::string("frame refused: ") + fault);
+    const FrameOrder order = count_.count(sample.frame, sample.wall_time_ns);
+    if (order == FrameOrder::kRepeated) {
       const std::lock_guard lock(mutex_);
-      ++counters_.refused;
+      ++counters_.repeated;
       return;
     }
-    if (!is_followed(sample.source)) {
-      const std::lock_guard lock(mutex_);
-      ++counters_.foreign;
-      return;
-    }
+    if (order == FrameOrder::kJump)
+      refusals_.tell_once("jump", "the frame numbers of the server jumped to " + std::to_string(sample.frame) +
+                                      ": jumps are counted by themselves, not as frames missed");
     std::unique_ptr<OceanFrame> frame = decode(sample);
     const std::lock_guard lock(mutex_);
-    if (next_frame_ && sample.frame > *next_frame_) counters_.missed += sample.frame - *next_frame_;
-    next_frame_ = sample.frame + 1;
+    counters_.missed = count_.missed();
+    counters_.jumps = count_.jumps();
     ++counters_.received;
     if (newest_) {
       ++counters_.replaced;
@@ -202,13 +242,6 @@ class FrameReceiver::Implementation {
   }
 
   void accept_slick(const pelagos_SlickV1& sample) {
-    if (const char* fault = wire::find_fault(sample)) {
-      log_.write(std::string("slick refused: ") + fault);
-      const std::lock_guard lock(mutex_);
-      ++counters_.slicks_refused;
-      return;
-    }
-    if (!is_followed(sample.source)) return;
     auto slick = std::make_shared<OceanSlick>();
     slick->frame = sample.frame;
     slick->simulation_time = sample.simulation_time;
@@ -256,6 +289,7 @@ class FrameReceiver::Implementation {
   }
 
   RateLimitedLog log_;
+  Refusals refusals_;
   DdsParticipant participant_;
   DdsReader frames_;
   DdsReader scenes_;
@@ -266,14 +300,14 @@ class FrameReceiver::Implementation {
   DdsWaitSet waitset_;
 
   // Of the dispatcher thread alone.
-  std::uint64_t source_ = 0;
-  Clock::time_point last_heard_{};
-  std::optional<std::uint64_t> next_frame_;
-  std::deque<std::pair<std::uint64_t, SceneInfo>> other_scenes_;
+  WriterOwners owners_;
+  SourceWatch watch_{[this](const ParticipantId& process) { return is_matched(frames_, process); }};
+  FrameCount count_;
+  std::deque<std::pair<SourceWatch::Sender, SceneInfo>> other_scenes_;
 
   std::atomic<bool> stop_{false};
-  std::atomic<bool> alive_{false};
-  mutable std::mutex mutex_;  // guards what follows, and the public members
+  std::atomic<Clock::rep> last_heard_{0};  // ticks of the steady clock; 0: never
+  mutable std::mutex mutex_;               // guards what follows, and the public members
   mutable std::condition_variable arrived_;
   std::unique_ptr<OceanFrame> newest_;
   std::vector<std::unique_ptr<OceanFrame>> spare_;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "pelagos_dds/configuration.hpp"
@@ -130,14 +131,21 @@ class DdsReader {
   /// Writers that are alive by their liveliness.
   [[nodiscard]] std::uint32_t alive_writers() const;
 
-  /// Calls use(const Type&) for each sample that waits. Bounded: at most `rounds` loans of 32 samples.
+  /// Calls use(const Type&), or use(const Type&, const dds_sample_info_t&), for each sample that waits. Bounded: at
+  /// most `rounds` loans of 32 samples.
   template <class Type, class Use>
   void take_all(Use&& use, int rounds = 8) const {
     for (int round = 0; round < rounds; ++round) {
       DdsLoan<Type> loan;
       loan.take(get());
       for (std::size_t i = 0; i < loan.size(); ++i) {
-        if (const Type* sample = loan.data(i)) use(*sample);
+        const Type* sample = loan.data(i);
+        if (sample == nullptr) continue;
+        if constexpr (std::is_invocable_v<Use, const Type&, const dds_sample_info_t&>) {
+          use(*sample, loan.info(i));
+        } else {
+          use(*sample);
+        }
       }
       if (loan.size() < DdsLoan<Type>::kMost) return;
     }

@@ -1,9 +1,7 @@
 #include "wire/convert.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "pelagos_dds/frames.hpp"
+#include "text/printable.hpp"
 
 namespace pelagos::wire {
 namespace {
@@ -57,6 +55,8 @@ void assign_motion(const Wire& wire, Value& value) {
 // The generated types are C: strings and buffers are not const there, but a writer only reads them.
 char* c_string(const std::string& text) { return const_cast<char*>(text.c_str()); }
 std::string to_string(const char* text) { return text != nullptr ? std::string(text) : std::string(); }
+/// Text for people: whoever shows it need not ask what a stranger has put into it.
+std::string to_words(const char* text) { return text != nullptr ? printable(text) : std::string(); }
 
 template <class Sequence, class Item>
 void lend(std::vector<Item>& items, Sequence& sequence) {
@@ -70,20 +70,6 @@ std::vector<pelagos_BodyStateV1> bodies_to_wire(const std::vector<BodyState>& bo
   result.reserve(bodies.size());
   for (const BodyState& body : bodies) result.push_back(to_wire(body, frame));
   return result;
-}
-
-bool is_finite(const pelagos_Vector3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-bool is_plausible(const pelagos_BodyStateV1& body) {
-  const pelagos_Quaternion& q = body.orientation;
-  const double squared = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-  return is_finite(body.position) && is_finite(body.velocity) && is_finite(body.angular_rate_body) && squared > 0.98 &&
-         squared < 1.02 && std::isfinite(body.pose_age);
-}
-
-bool is_finite(const pelagos_WaveComponentV1& wave) {
-  return std::isfinite(wave.amplitude) && std::isfinite(wave.wavenumber) && std::isfinite(wave.omega) &&
-         std::isfinite(wave.direction) && std::isfinite(wave.phase);
 }
 
 }  // namespace
@@ -182,9 +168,9 @@ Event from_wire(const pelagos_EventV1& wire) {
   event.sequence = wire.sequence_number;
   event.step = wire.step;
   event.simulation_time = wire.simulation_time;
-  event.kind = to_string(wire.kind);
-  event.source = to_string(wire.caused_by);
-  event.text = to_string(wire.text);
+  event.kind = to_words(wire.kind);
+  event.source = to_words(wire.caused_by);
+  event.text = to_words(wire.text);
   return event;
 }
 
@@ -214,8 +200,8 @@ SceneInfoSample::SceneInfoSample(const SceneInfo& info, std::uint64_t source) {
 
 SceneInfo from_wire(const pelagos_SceneInfoV1& wire) {
   SceneInfo info;
-  info.scene = to_string(wire.scene);
-  info.build = to_string(wire.build);
+  info.scene = to_words(wire.scene);
+  info.build = to_words(wire.build);
   info.seed = wire.seed;
   info.frame_interval = wire.frame_interval;
   info.particle_spacing = wire.particle_spacing;
@@ -229,7 +215,7 @@ SceneInfo from_wire(const pelagos_SceneInfoV1& wire) {
   }
   for (std::uint32_t i = 0; i < wire.bodies._length; ++i) {
     const pelagos_BodyInfoV1& body = wire.bodies._buffer[i];
-    info.bodies.push_back({body.id, to_string(body.name), to_string(body.mesh_file), body.mesh_scale});
+    info.bodies.push_back({body.id, to_words(body.name), to_string(body.mesh_file), body.mesh_scale});
   }
   return info;
 }
@@ -285,7 +271,7 @@ StatusSample::StatusSample(const ServerStatus& status, std::uint64_t source, pel
 
 ServerStatus from_wire(const pelagos_StatusV2& wire) {
   ServerStatus status;
-  status.scene = to_string(wire.scene);
+  status.scene = to_words(wire.scene);
   status.step = wire.step;
   status.frame = wire.frame;
   status.simulation_time = wire.simulation_time;
@@ -347,48 +333,6 @@ PackingScales scales_of(const pelagos_OceanFrameV1& frame) {
   scales.largest_speed = frame.largest_speed;
   scales.particle_spacing = frame.particle_spacing;
   return scales;
-}
-
-const char* find_fault(const pelagos_OceanFrameV1& frame) {
-  if (frame.record_bytes != kRecordBytes) return "record_bytes is not 20";
-  if (frame.payload._length != std::uint64_t{frame.count} * kRecordBytes) return "payload is not count * 20 octets";
-  if (!is_finite(frame.origin) || !std::isfinite(frame.simulation_time)) return "origin or time is not finite";
-  if (!are_plausible(scales_of(frame))) return "box, largest_speed or particle_spacing is out of range";
-  const auto* first = frame.bodies._buffer;
-  if (!std::all_of(first, first + frame.bodies._length, is_plausible)) return "a body's state is not finite";
-  return nullptr;
-}
-
-const char* find_fault(const pelagos_SceneInfoV1& info) {
-  // A viewer has no use for more, and what a scene may make it allocate stays bounded.
-  constexpr std::uint32_t kMostItems = 4096;
-  if (info.far_sea._length > kMostItems || info.bodies._length > kMostItems) return "more than 4096 waves or bodies";
-  if (!(info.particle_spacing > 0.0 && info.particle_spacing < kLargestPackedMagnitude)) {
-    return "particle_spacing is out of range";
-  }
-  if (!(info.frame_interval > 0.0 && info.frame_interval < 3600.0)) return "frame_interval is out of range";
-  if (!is_finite(info.tank_min) || !is_finite(info.tank_max) || !std::isfinite(info.water_level)) {
-    return "tank or water_level is not finite";
-  }
-  if (!(std::abs(info.origin_latitude_deg) <= 90.0 && std::abs(info.origin_longitude_deg) <= 360.0 &&
-        std::isfinite(info.origin_height))) {
-    return "origin is out of range";
-  }
-  const auto* waves = info.far_sea._buffer;
-  const auto wave_is_finite = [](const pelagos_WaveComponentV1& wave) { return is_finite(wave); };
-  if (!std::all_of(waves, waves + info.far_sea._length, wave_is_finite)) return "a wave is not finite";
-  const auto* bodies = info.bodies._buffer;
-  const auto has_scale = [](const pelagos_BodyInfoV1& body) { return body.mesh_scale > 0.0 && body.mesh_scale < 1e6; };
-  if (!std::all_of(bodies, bodies + info.bodies._length, has_scale)) return "a body's mesh_scale is out of range";
-  return nullptr;
-}
-
-const char* find_fault(const pelagos_WindV1& wind) {
-  if (!wind.has_wind) return nullptr;
-  const pelagos_WindSettingsV1& w = wind.wind;
-  const bool finite = is_finite(w.velocity_to) && std::isfinite(w.amplitude) && std::isfinite(w.length) &&
-                      std::isfinite(w.beta) && std::isfinite(w.pulse_period) && std::isfinite(w.pulse_width);
-  return finite ? nullptr : "the wind is not finite";
 }
 
 }  // namespace pelagos::wire

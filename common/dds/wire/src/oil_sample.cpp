@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "wire/convert.hpp"
 
 namespace pelagos::wire {
@@ -28,26 +26,6 @@ void lend(Sequence& sequence, std::vector<Value>& values) {
   sequence._release = false;
 }
 
-// What a viewer may be made to draw stays bounded: elements as many as the largest slicks have, sizes and places of a
-// sea that a viewer can show.
-constexpr std::uint32_t kMostElements = 200'000;
-constexpr float kFarthest = 1e6F, kLargestRadius = 1e5F, kThickest = 100.0F, kMostMass = 1e12F;
-
-bool is_within(float value, float low, float high) { return value >= low && value <= high; }  // false for NaN
-
-const char* find_fault(const pelagos_SlickElementV1& element) {
-  const pelagos_Vector3f& p = element.position;
-  for (const float coordinate : {p.x, p.y, p.z})
-    if (!is_within(coordinate, -kFarthest, kFarthest)) return "an element's position is beyond 1000 km";
-  if (!(element.radius > 0.0F && element.radius <= kLargestRadius)) return "an element's radius is not in 0 to 100 km";
-  if (!is_within(element.thickness, 0.0F, kThickest)) return "an element's thickness is not in 0 to 100 m";
-  if (!is_within(element.mass, 0.0F, kMostMass)) return "an element's mass is not in 0 to 1e12 kg";
-  if (!is_within(element.water, 0.0F, 1.0F)) return "an element's share of water is not in 0 to 1";
-  if (element.appearance > static_cast<std::uint8_t>(OilAppearance::kContinuousTrue))
-    return "an element's appearance is not in 0 to 5";
-  return nullptr;
-}
-
 }  // namespace
 
 SlickDisc from_wire(const pelagos_SlickElementV1& element) {
@@ -61,17 +39,6 @@ SlickDisc from_wire(const pelagos_SlickElementV1& element) {
           element.water,
           static_cast<OilAppearance>(element.appearance),
           element.contained};
-}
-
-const char* find_fault(const pelagos_SlickV1& slick) {
-  if (slick.elements._length > kMostElements) return "more than 200,000 elements";
-  const auto finite = [](double value) { return std::isfinite(value); };
-  const pelagos_Vector3& o = slick.origin;
-  if (!finite(o.x) || !finite(o.y) || !finite(o.z) || !finite(slick.simulation_time))
-    return "origin or time is not finite";
-  for (std::uint32_t i = 0; i < slick.elements._length; ++i)
-    if (const char* fault = find_fault(slick.elements._buffer[i])) return fault;
-  return nullptr;
 }
 
 OilSample::OilSample(const Snapshot& snapshot, const OilSnapshot& oil, std::uint64_t source) {

@@ -11,9 +11,12 @@ using std::chrono::milliseconds;
 constexpr int kMostSources = 64;
 constexpr int kMostBodies = 64, kMostProbes = 256;  // of a scene
 
+// More than the last value: samples that another process sends under a server's source must not push the server's own
+// out before they have been looked at.
 TopicQos reader_qos() {
   TopicQos qos;
   qos.most_instances = kMostSources;
+  qos.depth = 4;
   return qos;
 }
 

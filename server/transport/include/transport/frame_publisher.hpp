@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "pelagos_dds/participant.hpp"
@@ -37,11 +38,13 @@ struct PublisherCounters {
 
 /// Publishes what the simulation hands over: frames, status, wind and events, each as idl/pelagos.idl says. Packs and
 /// writes on a thread of its own. Readers that are late, slow, stopped or dead never hold it up: nothing waits for an
-/// acknowledgement.
+/// acknowledgement. While no frame comes, the last status and the last frame (with its slick) go out again twice a
+/// second: a viewer that joins a paused sea has it at once, and every viewer sees that the server lives.
 class FramePublisher {
  public:
-  /// Publishes `info` at once, for viewers that come at any time. Throws DdsError.
-  FramePublisher(std::shared_ptr<DdsParticipant> participant, const SceneInfo& info,
+  /// Publishes `info` at once, for viewers that come at any time; without it they see by the status that a server
+  /// starts. Throws DdsError.
+  FramePublisher(std::shared_ptr<DdsParticipant> participant, const std::optional<SceneInfo>& info,
                  const PublisherSettings& settings = {}, DdsLog log = {});
   /// Publishes what still waits, then stops.
   ~FramePublisher();

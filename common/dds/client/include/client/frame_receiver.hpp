@@ -46,16 +46,19 @@ struct OceanSlick {
 struct ReceiverCounters {
   std::uint64_t received = 0;        ///< valid frames
   std::uint64_t missed = 0;          ///< gaps in the frame numbers
+  std::uint64_t jumps = 0;           ///< numbers that went back, or on by more than 100,000: not counted as missed
+  std::uint64_t repeated = 0;        ///< the last frame again, as while the sea is paused
   std::uint64_t replaced = 0;        ///< received, but a newer one came before take_newest()
   std::uint64_t refused = 0;         ///< wrong payload size, numbers not finite or out of range
   std::uint64_t foreign = 0;         ///< from a second server while the first one lives
+  std::uint64_t intruding = 0;       ///< samples with the followed server's source that another process sends
   std::uint64_t slicks = 0;          ///< valid slicks
   std::uint64_t slicks_refused = 0;  ///< too many elements, numbers not finite or out of range
+  std::uint64_t others_refused = 0;  ///< scene, status, wind and events, likewise
 };
 
 /// Listens to one server. A thread of its own takes the samples, checks and decodes them; all calls here are quick and
-/// may come from any thread. It follows the first server that it hears, and goes over to another one when frames of
-/// the first have stopped for 2 s.
+/// may come from any thread. Which server is followed, and when another one, says SourceWatch.
 class FrameReceiver {
  public:
   /// Joins the domain. Throws DdsError.
@@ -81,10 +84,11 @@ class FrameReceiver {
   [[nodiscard]] std::optional<WindSettings> wind() const;
   /// The newest slick of the server that is followed; null where none has come, as in scenes without oil.
   [[nodiscard]] std::shared_ptr<const OceanSlick> slick() const;
-  /// Events since the last call, oldest first; at most 256 are kept.
+  /// Events since the last call, oldest first; at most 256 are kept. Their texts are printable (text/printable.hpp).
   [[nodiscard]] std::vector<Event> take_events();
 
-  /// A server lives, by the liveliness of its scene_info (lease 1 s).
+  /// The server that is followed was heard within the last 2 s: any sample of it counts, and it sends one each second
+  /// at least.
   [[nodiscard]] bool server_alive() const;
   [[nodiscard]] ReceiverCounters counters() const;
 

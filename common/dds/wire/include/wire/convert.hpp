@@ -15,6 +15,7 @@
 #include "values/snapshot.hpp"
 #include "values/status.hpp"
 #include "values/wind.hpp"
+#include "wire/sample_fault.hpp"
 
 // Values <-> generated types: the one place where world frames and body axes of the wire meet those of the server
 // (ENU; body x forward, y port, z up). Implementation files only.
@@ -113,12 +114,6 @@ class OilSample {
 /// An element of a slick; its place stays relative to SlickV1.origin. Does not validate.
 [[nodiscard]] SlickDisc from_wire(const pelagos_SlickElementV1& element);
 
-/// Why a frame is refused, or null if everything in it is plausible and the payload holds `count` whole records.
-[[nodiscard]] const char* find_fault(const pelagos_OceanFrameV1& frame);
-/// The same for the rest of what a viewer computes with.
-[[nodiscard]] const char* find_fault(const pelagos_SceneInfoV1& info);
-[[nodiscard]] const char* find_fault(const pelagos_WindV1& wind);
-[[nodiscard]] const char* find_fault(const pelagos_SlickV1& slick);
 [[nodiscard]] PackingScales scales_of(const pelagos_OceanFrameV1& frame);
 
 [[nodiscard]] inline Eigen::Vector3d from_wire(const pelagos_Vector3& v) { return {v.x, v.y, v.z}; }
