@@ -1,3 +1,4 @@
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <thread>
@@ -6,13 +7,14 @@
 #include "app/report.hpp"
 #include "app/run.hpp"
 #include "renderer/gl_context.hpp"
+#include "source/awaited.hpp"
 
 namespace pelagos {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr double kFastest = 1.0 / 60.0;  // s between frames
-constexpr std::size_t kMostLatencies = 1'000'000;
+constexpr double kStatusWait = 2.0;      // s
 
 double seconds_between(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
@@ -43,6 +45,9 @@ class HeadlessRun {
 
  private:
   bool wait_for_server(const std::atomic<bool>& stop);
+  bool knows_status();
+  void give_up();
+  void watch_pause();
   void draw_frame(bool fresh);
   void watch_server(Clock::time_point now);
   void save_picture();
@@ -55,23 +60,33 @@ class HeadlessRun {
   RunReport report_;
   Clock::time_point first_drawn_{}, last_drawn_{}, last_saved_{}, lost_{};
   bool was_alive_ = true;
+  std::optional<Clock::time_point> scene_came_;
 };
 
 bool HeadlessRun::wait_for_server(const std::atomic<bool>& stop) {
   const auto start = Clock::now();
-  bool told = false;
+  std::string told;
   while (!stop) {
     view_.update();
-    if (view_.ready()) return true;
+    if (view_.ready() && knows_status()) return true;
     const double waited = seconds_between(start, Clock::now());
-    if (waited > options_.wait) return false;
-    if (!told && waited > 1.0) {
-      std::fprintf(stderr, "pelagos-viewer: waiting for a server on DDS domain %u\n", options_.domain);
-      told = true;
+    if (waited > options_.wait) return view_.ready();
+    const std::string text = awaited(source_, options_.domain);
+    if (waited > 1.0 && text != told) {
+      std::fprintf(stderr, "pelagos-viewer: waiting for %s\n", text.c_str());
+      told = text;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   return false;
+}
+
+/// Whether the sea is paused must be known before the first picture; a server says so every second. For old servers it
+/// is not waited long.
+bool HeadlessRun::knows_status() {
+  if (source_.status()) return true;
+  if (!scene_came_) scene_came_ = Clock::now();
+  return options_.synthetic || seconds_between(*scene_came_, Clock::now()) > kStatusWait;
 }
 
 void HeadlessRun::draw_frame(bool fresh) {
@@ -80,11 +95,21 @@ void HeadlessRun::draw_frame(bool fresh) {
   const auto end = Clock::now();
   report_.frame_ms_sum += 1e3 * seconds_between(start, end);
   for (std::size_t i = 0; i < kPassNames.size(); ++i) report_.pass_ms_sum[i] += view_.renderer().pass_times()[i];
-  if (fresh && report_.latency_ms.size() < kMostLatencies)
-    report_.latency_ms.push_back(1e-6 * static_cast<double>(system_time_ns() - view_.frame()->wall_time_ns));
+  watch_pause();
+  if (fresh && !report_.paused) report_.latency.add(*view_.frame(), Clock::now(), system_time_ns());
   if (report_.frames_drawn++ == 0) first_drawn_ = start;
   last_drawn_ = end;
   watch_server(end);
+}
+
+void HeadlessRun::watch_pause() {
+  const std::optional<ServerStatus> status = source_.status();
+  const bool paused = status && status->paused;
+  if (paused != report_.paused)
+    std::fprintf(stderr, paused ? "pelagos-viewer: the sea is paused at frame %llu\n"
+                                : "pelagos-viewer: the sea goes on at frame %llu\n",
+                 static_cast<unsigned long long>(view_.frame()->frame));
+  report_.paused = paused;
 }
 
 void HeadlessRun::watch_server(Clock::time_point now) {
@@ -99,7 +124,9 @@ void HeadlessRun::watch_server(Clock::time_point now) {
 void HeadlessRun::save_picture() {
   const auto start = Clock::now();
   Picture picture = view_.renderer().read_picture();
-  if (!was_alive_) draw_banner(picture, "NO SERVER - LAST FRAME " + std::to_string(view_.frame()->frame));
+  const std::string frame = std::to_string(view_.frame()->frame);
+  if (!options_.plain && !was_alive_) draw_banner(picture, "NO SERVER - LAST FRAME " + frame);
+  if (!options_.plain && was_alive_ && report_.paused) draw_banner(picture, "PAUSED - FRAME " + frame);
   char name[32];
   std::snprintf(name, sizeof name, "_%04llu.png", static_cast<unsigned long long>(report_.pictures_written));
   report_.last_picture = report_.channel + name;
@@ -121,17 +148,22 @@ void HeadlessRun::finish() {
   write_report(report_, options_.out / (report_.channel + ".json"));
 }
 
+void HeadlessRun::give_up() {
+  std::array<char, 32> seconds{};
+  std::snprintf(seconds.data(), seconds.size(), "%g s", options_.wait);
+  const bool heard = source_.status() || source_.scene_info();
+  const std::string domain = std::to_string(options_.domain);
+  report_.errors.push_back(
+      heard ? "no frame within " + std::string(seconds.data()) + " of " + awaited(source_, options_.domain) +
+                  "; wait longer with --wait"
+            : "no server on DDS domain " + domain + " within " + seconds.data() +
+                  "; start pelagos-server with the same --domain, or wait longer with --wait");
+  std::fprintf(stderr, "pelagos-viewer: %s\n", report_.errors.back().c_str());
+}
+
 int HeadlessRun::run(const std::atomic<bool>& stop) {
   if (!wait_for_server(stop)) {
-    if (!stop) {
-      char text[200];
-      std::snprintf(text, sizeof text,
-                    "no server on DDS domain %u within %g s; start pelagos-server with the same --domain, or wait "
-                    "longer with --wait",
-                    options_.domain, options_.wait);
-      report_.errors.push_back(text);
-      std::fprintf(stderr, "pelagos-viewer: %s\n", report_.errors.back().c_str());
-    }
+    if (!stop) give_up();
     finish();
     return stop ? 0 : 1;
   }

@@ -7,6 +7,7 @@
 #include "app/run.hpp"
 #include "channels/rig.hpp"
 #include "source/frame_source.hpp"
+#include "text/printable.hpp"
 
 namespace {
 
@@ -27,7 +28,7 @@ int run(const pelagos::Options& options) {
   dds.domain = options.domain;
   dds.config_file = options.dds_config;
   dds.log = [](std::string_view line) {
-    std::fprintf(stderr, "pelagos-viewer: DDS: %.*s\n", static_cast<int>(line.size()), line.data());
+    std::fprintf(stderr, "pelagos-viewer: DDS: %s\n", printable(line).c_str());
   };
   const std::unique_ptr<FrameSource> source = options.synthetic ? make_synthetic_source() : make_dds_source(dds);
   return options.headless ? run_headless(options, *channel, *source, stop_requested)
@@ -45,7 +46,7 @@ int main(int argc, char** argv) {
     std::signal(SIGINT, request_stop);
     return run(*options);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "pelagos-viewer: %s\n", error.what());
+    std::fprintf(stderr, "pelagos-viewer: %s\n", pelagos::printable_lines(error.what()).c_str());
     return 1;
   }
 }

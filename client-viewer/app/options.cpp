@@ -59,6 +59,8 @@ std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
       ->check(NumberFrom(0.0, 1e5));
   add_headless("--wait", options.wait, "seconds to wait for a server")->check(NumberFrom(0.0, 1e5));
   add_headless("--out", options.out, "folder for pictures and report");
+  app.add_flag("--plain", options.plain, "no words in the pictures: neither PAUSED nor NO SERVER (headless)")
+      ->needs(headless);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

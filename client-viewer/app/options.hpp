@@ -22,6 +22,7 @@ struct Options {
   double duration = 0.0;     ///< s; 0: no limit
   double every = 0.0;        ///< s between pictures written; 0: each frame drawn
   double wait = 30.0;        ///< s to wait for a server
+  bool plain = false;        ///< no words in the pictures
   std::filesystem::path out = ".";
   int width = 1280, height = 720;
   Quality quality = Quality::kMedium;

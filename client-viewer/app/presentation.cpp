@@ -48,7 +48,7 @@ double Presentation::time_since_frame() const {
   if (status && status->paused) return 0.0;
   const double since_received =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_->received).count();
-  const double since_made = 1e-9 * static_cast<double>(system_time_ns() - frame_->wall_time_ns);
+  const double since_made = 1e-9 * (static_cast<double>(system_time_ns()) - static_cast<double>(frame_->wall_time_ns));
   // Clocks of two machines may differ: then only the time since it came is known.
   const bool clocks_agree = since_made >= since_received && since_made < since_received + 1.0;
   const double rate = status ? std::clamp(status->real_time_factor, 0.0, 1.0) : 1.0;

@@ -27,6 +27,11 @@ ordered_json distribution(std::vector<double> samples) {
   return {{"mean", mean}, {"p50", at(0.5)}, {"p99", at(0.99)}, {"max", at(1.0)}};
 }
 
+ordered_json clock_difference(const Latency& latency) {
+  const std::optional<double> seconds = latency.clock_difference();
+  return seconds ? ordered_json(rounded(*seconds)) : ordered_json(nullptr);
+}
+
 }  // namespace
 
 void write_report(const RunReport& report, const std::filesystem::path& file) {
@@ -48,12 +53,19 @@ void write_report(const RunReport& report, const std::filesystem::path& file) {
       {"frame_ms_mean", rounded(report.frame_ms_sum / drawn)},
       {"pass_ms_mean", passes},
       {"picture_ms_mean", rounded(report.picture_ms_sum / pictures)},
-      {"latency_ms", distribution(report.latency_ms)},
+      {"latency_ms", distribution(report.latency.from_server())},
+      {"latency_from_arrival_ms", distribution(report.latency.from_arrival())},
+      {"clock_difference_s", clock_difference(report.latency)},
+      {"paused", report.paused},
       {"frames_received", report.counters.received},
       {"gaps", report.counters.missed},
+      {"frame_jumps", report.counters.jumps},
+      {"frames_repeated", report.counters.repeated},
       {"frames_replaced", report.counters.replaced},
       {"frames_refused", report.counters.refused},
       {"frames_foreign", report.counters.foreign},
+      {"samples_intruding", report.counters.intruding},
+      {"others_refused", report.counters.others_refused},
       {"slicks_received", report.counters.slicks},
       {"slicks_refused", report.counters.slicks_refused},
       {"pictures_written", report.pictures_written},

@@ -7,6 +7,7 @@
 
 #include "client/frame_receiver.hpp"
 #include "renderer/renderer.hpp"
+#include "source/latency.hpp"
 
 namespace pelagos {
 
@@ -24,7 +25,8 @@ struct RunReport {
   PassTimes pass_ms_sum = {};
   double frame_ms_sum = 0.0;       ///< drawing only
   double picture_ms_sum = 0.0;     ///< reading back and writing files
-  std::vector<double> latency_ms;  ///< server's frame time to finished picture, of frames seen for the first time
+  Latency latency;                 ///< of frames seen for the first time while the sea moves
+  bool paused = false;             ///< the sea, when the last picture was drawn
   ReceiverCounters counters;
   std::vector<std::string> errors;
 };

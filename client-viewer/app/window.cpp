@@ -12,6 +12,7 @@
 #include "app/presentation.hpp"
 #include "app/run.hpp"
 #include "renderer/gl_objects.hpp"
+#include "source/awaited.hpp"
 
 namespace pelagos {
 namespace {
@@ -53,34 +54,36 @@ class Window {
   GLFWwindow* window_ = nullptr;
 };
 
-void show_overlay(const Presentation& view, FrameSource& source, double frames_per_second) {
+void show_overlay(const Presentation& view, FrameSource& source, std::uint32_t domain, double frames_per_second) {
   ImGui::SetNextWindowPos(ImVec2(10, 10));
   ImGui::SetNextWindowBgAlpha(0.45F);
   ImGui::Begin("state", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
   ImGui::Text("%s   %.0f fps", view.channel().name.c_str(), frames_per_second);
+  const ImVec4 warning(1.0F, 0.45F, 0.3F, 1.0F);
   if (!source.server_alive())
-    ImGui::TextColored(ImVec4(1.0F, 0.45F, 0.3F, 1.0F), "%s",
-                       view.ready() ? "no server: the last frame stays" : "no server");
+    ImGui::TextColored(warning, "%s", view.ready() ? "no server: the last frame stays" : "no server");
+  if (!view.ready()) ImGui::Text("waiting for %s", awaited(source, domain).c_str());
   if (const OceanFrame* frame = view.frame()) {
     ImGui::Text("%s   t = %.1f s   frame %llu", view.scene().scene.c_str(), frame->simulation_time,
                 static_cast<unsigned long long>(frame->frame));
     ImGui::Text("%zu of %u particles   %llu frames missed", frame->particles.size(), frame->total_particles,
                 static_cast<unsigned long long>(source.counters().missed));
   }
-  if (const auto status = source.status())
-    ImGui::Text("real-time factor %.2f   step %.1f ms%s", status->real_time_factor, status->step_ms,
-                status->paused ? "   paused" : "");
+  if (const auto status = source.status()) {
+    if (status->paused && source.server_alive()) ImGui::TextColored(warning, "paused");
+    ImGui::Text("real-time factor %.2f   step %.1f ms", status->real_time_factor, status->step_ms);
+  }
   if (const auto wind = source.wind())
     ImGui::Text("wind %.1f m/s from %.0f deg", wind->velocity.head<2>().norm(), wind_from_deg(wind->velocity));
   ImGui::End();
 }
 
-void draw_overlay(const Presentation& view, FrameSource& source, double frames_per_second) {
+void draw_overlay(const Presentation& view, FrameSource& source, std::uint32_t domain, double frames_per_second) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
-  show_overlay(view, source, frames_per_second);
+  show_overlay(view, source, domain, frames_per_second);
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
@@ -119,7 +122,7 @@ int run_window(const Options& options, const Channel& channel, FrameSource& sour
     if (key_down && !key_was_down) overlay = !overlay;
     key_was_down = key_down;
     draw_window(view, width, height);
-    if (overlay) draw_overlay(view, source, frames_per_second);
+    if (overlay) draw_overlay(view, source, options.domain, frames_per_second);
     glfwSwapBuffers(window.get());
     const auto now = std::chrono::steady_clock::now();
     const double seconds = std::chrono::duration<double>(now - last).count();

@@ -1,10 +1,14 @@
 #include "channels/rig.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <stdexcept>
+
+#include "text/printable.hpp"
 
 namespace pelagos {
 namespace {
@@ -13,6 +17,31 @@ using nlohmann::json;
 
 constexpr std::size_t kLargestFile = 1 << 20;  // bytes
 constexpr std::size_t kMostChannels = 64;
+constexpr int kDeepest = 8;            // brackets inside each other; a rig needs four
+constexpr std::size_t kMostFaults = 20;  // that are told
+constexpr std::size_t kLongestQuote = 60;  // bytes, of a value in a message
+
+/// A value as the file has it, not too much of it.
+std::string quote(const json& value) {
+  return printable(value.dump(-1, ' ', false, json::error_handler_t::replace), kLongestQuote);
+}
+
+/// JSON of bounded depth: what works on the values is recursive. Comments are allowed.
+json parse_shallow(const std::string& text) {
+  std::vector<std::string> place;  // keys on the way to where the parser is
+  const auto refuse_deep = [&](int depth, json::parse_event_t event, const json& value) {
+    if (event == json::parse_event_t::key) {
+      place.resize(static_cast<std::size_t>(depth));
+      place.back() = value.get<std::string>();
+    }
+    const bool opens = event == json::parse_event_t::object_start || event == json::parse_event_t::array_start;
+    if (opens && depth >= kDeepest)
+      throw std::runtime_error((place.empty() ? "" : printable(place.front(), kLongestQuote) + ": ") +
+                               "has brackets more than " + std::to_string(kDeepest) + " deep inside each other");
+    return true;
+  };
+  return json::parse(text, refuse_deep, true, true);
+}
 
 /// Reads fields of one object, collects faults and remembers what was read, to name unknown fields.
 class Fields {
@@ -26,25 +55,25 @@ class Fields {
     return it == object_.end() ? nullptr : &*it;
   }
   void fault(const std::string& key, const std::string& text) {
-    faults_.push_back((place_.empty() ? key : place_ + "." + key) + ": " + text);
+    faults_.push_back((place_.empty() ? "" : place_ + ".") + printable(key, kLongestQuote) + ": " + text);
   }
   void number(const char* key, double low, double high, double& value) {
     const json* field = find(key);
     if (field == nullptr) return;
     const std::string allowed = "allowed: a number from " + short_text(low) + " to " + short_text(high);
-    if (!field->is_number()) return fault(key, "is " + field->dump() + "; " + allowed);
+    if (!field->is_number()) return fault(key, "is " + quote(*field) + "; " + allowed);
     const double read = field->get<double>();
-    if (!(read >= low && read <= high)) return fault(key, "is " + field->dump() + "; " + allowed);
+    if (!(read >= low && read <= high)) return fault(key, "is " + quote(*field) + "; " + allowed);
     value = read;
   }
   void whole_number(const char* key, int low, int high, int& value) {
     const json* field = find(key);
     if (field == nullptr) return;
     const std::string allowed = "allowed: a whole number from " + std::to_string(low) + " to " + std::to_string(high);
-    if (!field->is_number_integer()) return fault(key, "is " + field->dump() + "; " + allowed);
+    if (!field->is_number_integer()) return fault(key, "is " + quote(*field) + "; " + allowed);
     const bool too_large = field->is_number_unsigned() && field->get<std::uint64_t>() > 0x7fffffffu;
     if (too_large || field->get<std::int64_t>() < low || field->get<std::int64_t>() > high)
-      return fault(key, "is " + field->dump() + "; " + allowed);
+      return fault(key, "is " + quote(*field) + "; " + allowed);
     value = field->get<int>();
   }
   void text(const char* key, bool required, std::string& value) {
@@ -54,7 +83,7 @@ class Fields {
       return;
     }
     const bool good = field->is_string() && is_name(field->get_ref<const std::string&>());
-    if (!good) return fault(key, "is " + field->dump() + "; allowed: a name of 1 to 64 letters, digits, '-' or '_'");
+    if (!good) return fault(key, "is " + quote(*field) + "; allowed: a name of 1 to 64 letters, digits, '-' or '_'");
     value = field->get<std::string>();
   }
   void point(const char* key, double limit, Eigen::Vector3d& value) {
@@ -68,7 +97,7 @@ class Fields {
     }
     if (!good)
       fault(key,
-            "is " + field->dump() + "; allowed: three numbers from " + short_text(-limit) + " to " + short_text(limit));
+            "is " + quote(*field) + "; allowed: three numbers from " + short_text(-limit) + " to " + short_text(limit));
   }
   void refuse_unknown() {
     for (const auto& [key, value] : object_.items()) {
@@ -100,7 +129,7 @@ class Fields {
 Mount read_mount(const json& object, const std::string& place, std::vector<std::string>& faults) {
   Mount mount;
   if (!object.is_object()) {
-    faults.push_back(place + ": is " + object.dump() +
+    faults.push_back(place + ": is " + quote(object) +
                      "; allowed: an object with body, eye, attitude, heading_deg, tilt_deg");
     return mount;
   }
@@ -119,7 +148,7 @@ Mount read_mount(const json& object, const std::string& place, std::vector<std::
     else if (*attitude == "none")
       mount.attitude = MountAttitude::kNone;
     else
-      fields.fault("attitude", "is " + attitude->dump() + "; allowed: \"full\", \"heading\", \"none\"");
+      fields.fault("attitude", "is " + quote(*attitude) + "; allowed: \"full\", \"heading\", \"none\"");
   }
   fields.refuse_unknown();
   return mount;
@@ -130,7 +159,7 @@ Channel read_channel(const json& object, const std::string& place, const Mount& 
   Channel channel;
   channel.mount = rig_mount;
   if (!object.is_object()) {
-    faults.push_back(place + ": is " + object.dump() + "; allowed: an object with name, yaw_deg, pitch_deg, ...");
+    faults.push_back(place + ": is " + quote(object) + "; allowed: an object with name, yaw_deg, pitch_deg, ...");
     return channel;
   }
   Fields fields(object, place, faults);
@@ -176,9 +205,11 @@ std::string Rig::channel_names() const {
 Rig parse_rig(const std::string& text, const std::string& file_name) {
   json root;
   try {
-    root = json::parse(text, nullptr, true, true);  // comments are allowed
-  } catch (const json::exception& error) {          // syntax, or a number that no double holds
-    throw RigError(file_name + ": not JSON: " + error.what());
+    root = parse_shallow(text);
+  } catch (const json::exception& error) {  // syntax, or a number that no double holds
+    throw RigError(file_name + ": not JSON: " + printable(error.what(), 300));
+  } catch (const std::runtime_error& error) {
+    throw RigError(file_name + ": " + error.what() + "; allowed: mount and channels as docs/viewer.md shows them");
   }
   if (!root.is_object()) throw RigError(file_name + ": allowed: one object with name, mount, channels");
   std::vector<std::string> faults;
@@ -194,11 +225,17 @@ Rig parse_rig(const std::string& text, const std::string& file_name) {
   fields.refuse_unknown();
   if (faults.empty()) return rig;
   std::string report;
-  for (const std::string& fault : faults) report += (report.empty() ? "" : "\n") + file_name + ": " + fault;
+  for (std::size_t i = 0; i < std::min(faults.size(), kMostFaults); ++i)
+    report += (report.empty() ? "" : "\n") + file_name + ": " + faults[i];
+  if (faults.size() > kMostFaults)
+    report += "\n" + file_name + ": and " + std::to_string(faults.size() - kMostFaults) + " more faults";
   throw RigError(report);
 }
 
 Rig load_rig(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error))
+    throw RigError(file.string() + ": " + (error ? error.message() : "is no file"));
   std::ifstream in(file, std::ios::binary);
   std::string text(kLargestFile + 1, '\0');
   if (!in || !in.read(text.data(), static_cast<std::streamsize>(text.size())).eof() || in.bad()) {

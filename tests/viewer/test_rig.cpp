@@ -86,5 +86,40 @@ TEST(Rig, RefusesFilesItCannotUse) {
   std::filesystem::remove(large);
 }
 
+std::string repeated(const std::string& text, int times) {
+  std::string result;
+  for (int i = 0; i < times; ++i) result += text;
+  return result;
+}
+
+TEST(Rig, DeepNestingIsRefusedByItsKey) {
+  for (const int depth : {9, 1000, 200'000}) {
+    EXPECT_THAT(refusal_of(R"({"mount": )" + repeated("[", depth) + repeated("]", depth) + "}"),
+                HasSubstr("mount: has brackets more than 8 deep"));
+    EXPECT_THAT(refusal_of(R"({"channels": [{"name": "a", "colour": )" + repeated(R"({"x":)", depth)),
+                HasSubstr("channels: has brackets more than 8 deep"));
+  }
+  EXPECT_THAT(refusal_of(repeated("[", 300'000)), HasSubstr("has brackets more than 8 deep"));
+  EXPECT_THAT(refusal_of(R"({"mount": [[[[1]]]]})"), HasSubstr("mount: is [[[[1]]]]")) << "shallow ones are quoted";
+}
+
+TEST(Rig, MessagesAboutLongAndOddValuesAreShortAndPrintable) {
+  const std::string report = refusal_of("{\"name\": \"" + std::string(500'000, 'x') + "\", \"a\x1b[31m\": \"\xff\"" +
+                                        ", \"channels\": [{\"name\": \"a\"}]}");
+  EXPECT_LT(report.size(), 1000U);
+  EXPECT_EQ(report.find('\x1b'), std::string::npos);
+  const std::string key = refusal_of("{\"a\\u001b[31m\": 1, \"channels\": [{\"name\": \"a\"}]}");
+  EXPECT_THAT(key, HasSubstr("a\\x1b[31m: is not a field here"));
+  std::string many = "{";
+  for (int i = 0; i < 5000; ++i) many += "\"k" + std::to_string(i) + "\": 0, ";
+  EXPECT_THAT(refusal_of(many + "\"channels\": [{\"name\": \"a\"}]}"), HasSubstr("and 4980 more faults"));
+}
+
+TEST(Rig, WhatIsNoFileIsRefused) {
+  EXPECT_THROW((void)load_rig(testing::TempDir()), RigError);
+  EXPECT_THROW((void)load_rig("/dev/zero"), RigError);
+  EXPECT_THROW((void)load_rig(std::string(5000, 'a')), RigError);
+}
+
 }  // namespace
 }  // namespace pelagos
