@@ -106,8 +106,9 @@ void HeadlessRun::watch_pause() {
   const std::optional<ServerStatus> status = source_.status();
   const bool paused = status && status->paused;
   if (paused != report_.paused)
-    std::fprintf(stderr, paused ? "pelagos-viewer: the sea is paused at frame %llu\n"
-                                : "pelagos-viewer: the sea goes on at frame %llu\n",
+    std::fprintf(stderr,
+                 paused ? "pelagos-viewer: the sea is paused at frame %llu\n"
+                        : "pelagos-viewer: the sea goes on at frame %llu\n",
                  static_cast<unsigned long long>(view_.frame()->frame));
   report_.paused = paused;
 }
@@ -153,11 +154,10 @@ void HeadlessRun::give_up() {
   std::snprintf(seconds.data(), seconds.size(), "%g s", options_.wait);
   const bool heard = source_.status() || source_.scene_info();
   const std::string domain = std::to_string(options_.domain);
-  report_.errors.push_back(
-      heard ? "no frame within " + std::string(seconds.data()) + " of " + awaited(source_, options_.domain) +
-                  "; wait longer with --wait"
-            : "no server on DDS domain " + domain + " within " + seconds.data() +
-                  "; start pelagos-server with the same --domain, or wait longer with --wait");
+  report_.errors.push_back(heard ? "no frame within " + std::string(seconds.data()) + " of " +
+                                       awaited(source_, options_.domain) + "; wait longer with --wait"
+                                 : "no server on DDS domain " + domain + " within " + seconds.data() +
+                                       "; start pelagos-server with the same --domain, or wait longer with --wait");
   std::fprintf(stderr, "pelagos-viewer: %s\n", report_.errors.back().c_str());
 }
 

@@ -27,9 +27,7 @@ int run(const pelagos::Options& options) {
   DdsSettings dds;
   dds.domain = options.domain;
   dds.config_file = options.dds_config;
-  dds.log = [](std::string_view line) {
-    std::fprintf(stderr, "pelagos-viewer: DDS: %s\n", printable(line).c_str());
-  };
+  dds.log = [](std::string_view line) { std::fprintf(stderr, "pelagos-viewer: DDS: %s\n", printable(line).c_str()); };
   const std::unique_ptr<FrameSource> source = options.synthetic ? make_synthetic_source() : make_dds_source(dds);
   return options.headless ? run_headless(options, *channel, *source, stop_requested)
                           : run_window(options, *channel, *source, stop_requested);

@@ -23,10 +23,10 @@ struct RunReport {
   double seconds = 0.0;                 ///< from the first frame drawn to the last
   double seconds_without_server = 0.0;  ///< after the first frame
   PassTimes pass_ms_sum = {};
-  double frame_ms_sum = 0.0;       ///< drawing only
-  double picture_ms_sum = 0.0;     ///< reading back and writing files
-  Latency latency;                 ///< of frames seen for the first time while the sea moves
-  bool paused = false;             ///< the sea, when the last picture was drawn
+  double frame_ms_sum = 0.0;    ///< drawing only
+  double picture_ms_sum = 0.0;  ///< reading back and writing files
+  Latency latency;              ///< of frames seen for the first time while the sea moves
+  bool paused = false;          ///< the sea, when the last picture was drawn
   ReceiverCounters counters;
   std::vector<std::string> errors;
 };

@@ -17,8 +17,8 @@ using nlohmann::json;
 
 constexpr std::size_t kLargestFile = 1 << 20;  // bytes
 constexpr std::size_t kMostChannels = 64;
-constexpr int kDeepest = 8;            // brackets inside each other; a rig needs four
-constexpr std::size_t kMostFaults = 20;  // that are told
+constexpr int kDeepest = 8;                // brackets inside each other; a rig needs four
+constexpr std::size_t kMostFaults = 20;    // that are told
 constexpr std::size_t kLongestQuote = 60;  // bytes, of a value in a message
 
 /// A value as the file has it, not too much of it.

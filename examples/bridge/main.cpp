@@ -49,6 +49,8 @@ pelagos_PoseV1 make_sample(const Options& o, const NedMotion& motion, double tim
   return sample;
 }
 
+constexpr std::size_t kMostProbes = 256;  // as many as a server has
+
 /// What came back last: the load on the ship and what its probes read.
 class Feedback {
  public:
@@ -60,6 +62,7 @@ class Feedback {
       if (sample.body == body_) last_load_ = sample;
     });
     probes_.take_all<pelagos_ProbeV1>([&](const pelagos_ProbeV1& sample) {
+      if (readings_.size() >= kMostProbes && !readings_.contains(sample.probe)) return;
       readings_[sample.probe] = sample;
       readings_[sample.probe].name = nullptr;  // lent only while it is looked at
     });

@@ -125,7 +125,7 @@ TEST_F(ViewerProcess, OutlivesTheServerAndFindsTheNextOne) {
   ASSERT_TRUE(eventually([&] { return pictures() >= 2; }));
   server.reset();
   const int at_loss = pictures();
-  ASSERT_TRUE(eventually([&] { return pictures() >= at_loss + 6; })) << "goes on drawing without a server";
+  ASSERT_TRUE(eventually([&] { return pictures() >= at_loss + 18; })) << "goes on drawing without a server";
   server = std::make_unique<SeaServer>();
   const int at_return = pictures();
   ASSERT_TRUE(eventually([&] { return pictures() >= at_return + 20; }));

@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "text/printable.hpp"
+
 namespace pelagos {
 
 void start_log(std::string_view level) {
@@ -15,8 +17,15 @@ void start_log(std::string_view level) {
   spdlog::set_default_logger(logger);
 }
 
-void log_info(std::string_view line) { spdlog::info("{}", line); }
-void log_warning(std::string_view line) { spdlog::warn("{}", line); }
-void log_error(std::string_view line) { spdlog::error("{}", line); }
+namespace {
+
+/// One line, whatever a station or a DDS peer has put into it.
+std::string one_line(std::string_view line) { return printable(line, 8192); }
+
+}  // namespace
+
+void log_info(std::string_view line) { spdlog::info("{}", one_line(line)); }
+void log_warning(std::string_view line) { spdlog::warn("{}", one_line(line)); }
+void log_error(std::string_view line) { spdlog::error("{}", one_line(line)); }
 
 }  // namespace pelagos

@@ -7,6 +7,7 @@
 #include "command_line.hpp"
 #include "control_client.hpp"
 #include "print.hpp"
+#include "text/printable.hpp"
 
 namespace pelagos {
 namespace {
@@ -20,7 +21,7 @@ std::string error_text(const proto::v1::Error& error) {
 
 int print_error(const proto::v1::Error& error, bool json, std::ostream& out, std::ostream& err) {
   if (json) out << nlohmann::ordered_json{{"ok", false}, {"error", to_json(error)}}.dump() << "\n";
-  err << "pelagos-ctl: refused: " << error_text(error) << "\n";
+  err << "pelagos-ctl: refused: " << printable_lines(error_text(error)) << "\n";
   return 1;
 }
 
@@ -30,16 +31,16 @@ int print_response(const Response& response, bool json, std::ostream& out, std::
     if (json) {
       out << to_json(response.status()).dump() << "\n";
     } else {
-      out << describe(response.status());
+      out << printable_lines(describe(response.status()));
     }
     return 0;
   }
   if (response.has_schedule()) {
-    out << (json ? to_json(response.schedule()).dump() + "\n" : describe(response.schedule()));
+    out << (json ? to_json(response.schedule()).dump() + "\n" : printable_lines(describe(response.schedule())));
     return 0;
   }
   if (response.has_wind_reading()) {
-    out << (json ? to_json(response.wind_reading()).dump() + "\n" : describe(response.wind_reading()));
+    out << (json ? to_json(response.wind_reading()).dump() + "\n" : printable_lines(describe(response.wind_reading())));
     return 0;
   }
   const std::uint64_t id = response.accepted().scheduled_id();
@@ -74,7 +75,7 @@ int follow_events(ControlClient& client, const CtlOptions& options, std::ostream
     if (options.json) {
       out << to_json(*event).dump() << "\n";
     } else {
-      out << describe(*event) << "\n";
+      out << printable(describe(*event), 4096) << "\n";
     }
     out.flush();
   }
