@@ -216,5 +216,90 @@ TEST(FreeBodyRuns, CarryTheirWeightAsLoad) {
   EXPECT_NEAR(force / frames, 0.576 * 1000.0 * 9.81, 0.01 * 0.576 * 1000.0 * 9.81);
 }
 
+/// A buoy and a slick side by side, in a current of 0.5 m/s to the east; d = 0.2 m, 1.2 m of water.
+Scene drifters(TankEdge ends) {
+  Scene scene;
+  scene.name = "drifters";
+  scene.particle_spacing = 0.2;
+  scene.tank = {{0, 0, 0}, {6.4, 3.2, 2.4}};
+  scene.tank_edges = {ends, TankEdge::kMirror, TankEdge::kMirror};
+  scene.water.blocks = {{{0, 0, 0}, {6.4, 3.2, 1.2}}};
+  scene.water.settle_steps = 100;
+  scene.current.emplace();
+  scene.current->velocity = {0.5, 0.0, 0.0};
+  scene.oil.emplace();
+  scene.oil->properties = *find_oil("diesel");
+  scene.oil->model = OilModel::kSlick;
+  BodySettings buoy;
+  buoy.id = 1;
+  buoy.primitive = SphereShape{0.5};
+  buoy.drive = BodyDrive::kFree;
+  buoy.mass.density = 500.0;
+  buoy.position = {2.0, 2.2, 1.2};
+  scene.bodies = {buoy};
+  scene.probes = {{1, "log", 0, {4.0, 0.8, 0.0}, true}};
+  return scene;
+}
+
+double middle_of_slick(const World& world) {
+  double x = 0.0, mass = 0.0;
+  for (const SlickDisc& disc : world.spill()->discs()) {
+    x += static_cast<double>(disc.mass) * static_cast<double>(disc.x);
+    mass += static_cast<double>(disc.mass);
+  }
+  return x / mass;
+}
+
+class FreeBodyDrift : public testing::TestWithParam<TankEdge> {};
+
+TEST_P(FreeBodyDrift, GoesWithTheCurrentAsTheSlickDoes) {
+  // Between walls the particles stay, between periodic faces they flow: what drifts must not tell the difference.
+  World world(drifters(GetParam()), {2, nullptr, {}});
+  ASSERT_EQ(world.apply(OilCommand{SpillOil{{2.0, 0.9}, 0.002, 0.2}}), std::nullopt);
+  double probe = 0.0, lift = 0.0, along = 0.0, time = 0.0;
+  run_until(world, 5.0, [&](const WorldStep& step) {
+    expect_sound(step);
+    if (!step.frame_reached) return;
+    Snapshot snapshot;
+    StepReport report;
+    world.fill_snapshot(snapshot, report);
+    probe += snapshot.probes[0].velocity.x();
+    const Eigen::Vector3d force = snapshot.bodies[0].orientation * snapshot.loads[0].force;
+    along += force.x();
+    lift += force.z();
+    time += 1.0;
+  });
+  const double way = 0.5 * world.time();
+  EXPECT_NEAR(body_of(world).position.x() - 2.0, way, 0.05 * way);
+  EXPECT_NEAR(middle_of_slick(world) - 2.0, way, 0.05 * way);
+  EXPECT_NEAR(probe / time, 0.5, 0.05);
+  // It drifts steadily, so no force along the current is left in its loads; the particles' drag, which is not the
+  // sea's, would be a tenth of its weight. It rolls, so that up to 2 % of the lift is read along it within a frame.
+  EXPECT_LT(std::abs(along), 0.03 * lift);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ends, FreeBodyDrift, testing::Values(TankEdge::kWall, TankEdge::kPeriodic),
+                         [](const auto& ends) { return ends.param == TankEdge::kWall ? "Walled" : "Periodic"; });
+
+TEST(FreeBodyRuns, StopAtTheWallThatACurrentCarriesThemTo) {
+  Scene scene = drifters(TankEdge::kWall);
+  scene.oil.reset();
+  scene.bodies[0].position.x() = 5.5;  // 0.4 m of way
+  World world(scene, {2, nullptr, {}});
+  run_until(world, 3.0, expect_sound);
+  EXPECT_NEAR(body_of(world).position.x(), 5.9, 0.05);
+  EXPECT_LT(body_of(world).velocity.norm(), 0.15);
+}
+
+TEST(FreeBodyRuns, DriftWithTheSameBitsForAnyNumberOfThreads) {
+  World one(drifters(TankEdge::kWall), {1, nullptr, {}}), many(drifters(TankEdge::kWall), {5, nullptr, {}});
+  for (int step = 0; step < 60; ++step) {
+    one.advance();
+    many.advance();
+    ASSERT_EQ(state_hash(one.fluid().particles), state_hash(many.fluid().particles)) << step;
+    ASSERT_EQ(body_of(one).position, body_of(many).position) << step;
+  }
+}
+
 }  // namespace
 }  // namespace pelagos

@@ -158,8 +158,11 @@ void Bodies::receive(double dt, const FluidState& fluid) {
   for (Body& body : bodies_) {
     if (!body.moves()) continue;
     const CoupledBody& push = fluid.coupling.bodies[coupled++];
-    body.meter.add(body.state, push.impulse, push.angular_impulse, dt);
-    if (body.gives_way()) body.free->take(push.displacement, push.turn, push.velocity, push.angular_velocity);
+    const Eigen::Vector3d drift(dt * body.drift_force.x(), dt * body.drift_force.y(), 0.0);
+    body.meter.add(body.state, push.impulse + drift, push.angular_impulse, dt);
+    if (body.gives_way())
+      body.free->take(push.displacement, push.turn, push.velocity + body.free->inverse_mass().cwiseProduct(drift),
+                      push.angular_velocity);
   }
   touch(dt);
   for (Body& body : bodies_)
@@ -279,7 +282,7 @@ void Bodies::relocate_water(const Body& body, const BodyState& before, const Eig
 std::vector<Bodies::Motion> Bodies::motions() const {
   std::vector<Motion> motions;
   motions.reserve(bodies_.size());
-  for (const Body& body : bodies_) motions.push_back({body.state, body.driven, body.free, body.meter});
+  for (const Body& body : bodies_) motions.push_back({body.state, body.driven, body.free, body.meter, body.drift});
   return motions;
 }
 
@@ -289,6 +292,7 @@ void Bodies::restore(const std::vector<Motion>& motions, const Eigen::Vector3d& 
     bodies_[i].driven = motions[i].driven;
     bodies_[i].free = motions[i].free;
     bodies_[i].meter = motions[i].meter;
+    bodies_[i].drift = motions[i].drift;
   }
   if (!bodies_.empty()) place(origin, fluid);
 }

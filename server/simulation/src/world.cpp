@@ -117,6 +117,7 @@ WorldStep World::advance() {
   advance_fluid(*pool_, fluid_, dt, clock, report);
   if (!bodies_.empty()) {
     const StageScope scope(report.times, clock, Stage::kBodies);
+    bodies_.drift(dt, body_sea(now + dt), fluid_);
     bodies_.receive(dt, fluid_);
   }
   {
@@ -145,6 +146,11 @@ WorldStep World::advance() {
   if (clock_.time() >= careful_until_) faults_in_row_ = 0;
   keep_recovery_point();
   return step;
+}
+
+BodySea World::body_sea(double time) const {
+  const bool drags = wind_ && wind_->air().settings_at(time).law == WindLaw::kStress;
+  return {current_ ? &*current_ : nullptr, drags, time, water_level_};
 }
 
 double World::choose_time_step() const {

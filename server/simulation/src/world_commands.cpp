@@ -126,6 +126,8 @@ void World::start_current() {
   set_current(*scene_.current, 0.0);
   FluidParticles& p = fluid_.particles;
   if (drive_.any()) drive_.start(*pool_, *current_, clock_.time(), p.position, p.count, p.velocity);
+  bodies_.start_drift(*current_, clock_.time(), water_level_, fluid_.parameters.rest_density);
+  if (!bodies_.empty()) bodies_.place(origin_, fluid_);
   largest_speed_ = measure().largest_speed;
 }
 

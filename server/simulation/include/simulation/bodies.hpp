@@ -11,11 +11,21 @@
 #include "rigid/body_shape.hpp"
 #include "rigid/driven_body.hpp"
 #include "rigid/free_body.hpp"
+#include "simulation/body_drift.hpp"
 #include "simulation/load_meter.hpp"
 #include "values/body.hpp"
+#include "values/current.hpp"
 #include "values/scene.hpp"
 
 namespace pelagos {
+
+/// The sea that carries free bodies, at one instant.
+struct BodySea {
+  const Current* current = nullptr;  ///< null: none runs
+  bool wind_drags = false;           ///< the wind drags the surface along as a real one does (WindLaw::kStress)
+  double time = 0.0;                 ///< s
+  double water_level = 0.0;          ///< m, world, at rest
+};
 
 /// The rigid bodies of a world and their samples in the water's walls: those of STATIC bodies among the walls that
 /// never move, the others among the moving ones.
@@ -53,6 +63,14 @@ class Bodies {
   /// are metered.
   void receive(double dt, const FluidState& fluid);
 
+  /// After the water's step of dt, before `receive`: free bodies in the water are carried by the part of a current that
+  /// the particles do not make (BodyDrift). Not those that follow poses, in whole or in part: their poses say how they
+  /// drift. Costs nothing without such a part.
+  void drift(double dt, const BodySea& at, FluidState& fluid);
+
+  /// At a scene's start, where the sea has its current at once: what floats has it too, beside its own velocity.
+  void start_drift(const Current& current, double time, double water_level, double rest_density);
+
   /// What the water did to each body that moves or may move, averaged since the last call.
   [[nodiscard]] std::vector<BodyLoad> take_loads(const Eigen::Vector3d& origin, const FluidState& fluid,
                                                  double still_level);
@@ -76,6 +94,7 @@ class Bodies {
     std::optional<DrivenBody> driven;
     std::optional<FreeBody> free;
     LoadMeter meter;
+    BodyDrift drift;
   };
   [[nodiscard]] std::vector<Motion> motions() const;
   void restore(const std::vector<Motion>& motions, const Eigen::Vector3d& origin, FluidState& fluid);
@@ -91,10 +110,14 @@ class Bodies {
     std::size_t first_sample = 0;  ///< among the moving ones
     std::size_t hull = 0;          ///< in `contacts_`, where there are any
 
+    BodyDrift drift;
+    Eigen::Vector2d drift_force = Eigen::Vector2d::Zero();  ///< N, of a current that the particles do not make
+
     bool held = false;  ///< free, but not yet
 
     [[nodiscard]] bool moves() const { return driven || free; }
     [[nodiscard]] bool gives_way() const { return free && !held; }
+    [[nodiscard]] bool drifts() const { return gives_way() && !driven; }
   };
   struct StaticSample {
     Eigen::Vector3d position;  ///< m, world
@@ -104,6 +127,7 @@ class Bodies {
   /// A body as the water's solves see it: a driven one about its origin, and it gives way to nothing.
   [[nodiscard]] static CoupledBody coupled_body(const Body& body, const Eigen::Vector3d& origin);
   void touch(double dt);
+  [[nodiscard]] DriftSea sea_of(const Body& body, double time, const Current& current, double water_level) const;
   void add_samples(TaskPool& pool, const Scene& scene, double support_radius, Body& body);
   void relocate_water(const Body& body, const BodyState& before, const Eigen::Vector3d& origin,
                       FluidState& fluid) const;
@@ -112,6 +136,9 @@ class Bodies {
   std::vector<float> volumes_;  ///< V_b of the moving samples, m^3
   std::vector<StaticSample> static_;
   std::optional<BodyContacts> contacts_;  ///< only where a body is free
+  bool drifting_ = false;
+  Eigen::Vector2d surface_drift_ = Eigen::Vector2d::Zero();  ///< m/s, as last looked at
+  double surface_due_ = 0.0;                                 ///< s, when to look again
 };
 
 }  // namespace pelagos

@@ -121,6 +121,7 @@ class World {
   void settle();
   void start_current();
   void drive_current(double time, StepReport& report);
+  [[nodiscard]] BodySea body_sea(double time) const;
   [[nodiscard]] std::optional<std::string> apply_to_oil(const OilCommand& command);
   void advance_oil(double dt, double time, StepReport& report);
   void keep_recovery_point();
