@@ -75,6 +75,7 @@ void GltfAccessor::read_sparse(GltfDocument& document, const Json& sparse, const
     throw ImportFault(where + " has no indices and values");
   const std::size_t count = whole_number(sparse, "count", where);
   if (count > count_) throw ImportFault(where + ".count is more than the accessor's");
+  document.count_replaced(count);
   const Json& indices = sparse["indices"];
   const std::size_t component = whole_number(indices, "componentType", where + ".indices");
   const View view = view_of(document, indices, where + ".indices", count, 1, component);

@@ -23,6 +23,11 @@ constexpr std::string_view kKnownExtensions[] = {"KHR_materials_",        "KHR_t
                                                  "KHR_mesh_quantization", "KHR_xmp",       "EXT_texture_",
                                                  "EXT_lights_",           "MSFT_texture_", "KHR_animation_"};
 
+void check_json(std::size_t bytes) {
+  if (bytes > kMostJson)
+    throw ImportFault("its JSON has more than " + std::to_string(kMostJson >> 20) + " MB besides its buffers");
+}
+
 /// The JSON without its data URIs: each is "data:#n" there, and the place of its text is kept. They are most of a file,
 /// and the parser would copy them several times.
 std::string take_data_uris(std::span<char> json, std::vector<std::span<char>>& data) {
@@ -30,17 +35,18 @@ std::string take_data_uris(std::span<char> json, std::vector<std::span<char>>& d
   for (std::size_t at = 0; at < json.size();) {
     const char c = json[at++];
     rest += c;
-    if (rest.size() > kMostJson)
-      throw ImportFault("its JSON has more than " + std::to_string(kMostJson >> 20) + " MB besides its buffers");
+    check_json(rest.size());
     if (c != '"') continue;
     const std::size_t start = at;
     while (at < json.size() && json[at] != '"') at += json[at] == '\\' ? 2 : 1;
     at = std::min(at, json.size());
     const auto text = json.subspan(start, at - start);
     if (std::string_view(text.data(), text.size()).starts_with(kData)) {
+      if (data.size() > MeshLimits::kJsonValues) throw ImportFault("its JSON has too many data URIs");
       rest += std::string(kData) + '#' + std::to_string(data.size());
       data.push_back(text.subspan(kData.size()));
     } else {
+      check_json(rest.size() + text.size());
       rest.append(text.data(), text.size());
     }
     if (at < json.size()) rest += json[at++];  // the closing quote
@@ -48,25 +54,56 @@ std::string take_data_uris(std::span<char> json, std::vector<std::span<char>>& d
   return rest;
 }
 
-/// Parses within the limits. The parser itself does not recurse.
-Json parse_bounded(const std::string& text) {
-  std::size_t values = 0;
-  const auto count = [&](int depth, Json::parse_event_t event, Json&) {
-    if (depth >= static_cast<int>(MeshLimits::kJsonDepth))
-      throw ImportFault("its JSON has more than " + std::to_string(MeshLimits::kJsonDepth) +
-                        " brackets inside each other");
-    const bool is_end = event == Json::parse_event_t::object_end || event == Json::parse_event_t::array_end;
-    if (!is_end && ++values > MeshLimits::kJsonValues)
+std::string without_number(std::string_view what) {
+  const std::size_t start = what.find("] ");  // after the parser's own number of the fault
+  return shown(what.substr(start == what.npos ? 0 : start + 2));
+}
+
+/// Counts what a parser finds and ends it where there is too much.
+class JsonLimits : public nlohmann::json_sax<Json> {
+ public:
+  bool null() override { return count(); }
+  bool boolean(bool) override { return count(); }
+  bool number_integer(number_integer_t) override { return count(); }
+  bool number_unsigned(number_unsigned_t) override { return count(); }
+  bool number_float(number_float_t, const string_t&) override { return count(); }
+  bool string(string_t&) override { return count(); }
+  bool binary(binary_t&) override { return count(); }
+  bool key(string_t&) override { return count(); }
+  bool start_object(std::size_t) override { return open(); }
+  bool start_array(std::size_t) override { return open(); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) override {
+    throw ImportFault("is no JSON: " + without_number(error.what()));
+  }
+
+ private:
+  bool count() {
+    if (++values_ > MeshLimits::kJsonValues)
       throw ImportFault("its JSON has more than " + std::to_string(MeshLimits::kJsonValues) + " values");
     return true;
-  };
-  try {
-    return Json::parse(text, count);
-  } catch (const Json::exception& error) {
-    const std::string_view what = error.what();
-    const std::size_t start = what.find("] ");  // after the parser's own number of the fault
-    throw ImportFault("is no JSON: " + shown(what.substr(start == what.npos ? 0 : start + 2)));
   }
+  bool open() {
+    if (++depth_ > MeshLimits::kJsonDepth)
+      throw ImportFault("its JSON has more than " + std::to_string(MeshLimits::kJsonDepth) +
+                        " brackets inside each other");
+    return count();
+  }
+  bool close() {
+    --depth_;
+    return true;
+  }
+
+  std::size_t values_ = 0, depth_ = 0;
+};
+
+/// Parses twice: the first time to see that the limits hold, so that the second takes no more memory than they allow.
+/// The parser itself does not recurse.
+Json parse_bounded(const std::string& text) {
+  JsonLimits limits;
+  Json::sax_parse(text, &limits);
+  return Json::parse(text);
 }
 
 int value_of_digit(char c) {
@@ -224,6 +261,13 @@ const Json& GltfDocument::item(const char* list, std::size_t index) const {
     throw ImportFault("refers to " + place_of(list, index) + ", but has " + std::to_string(items.size()) + " " + list);
   if (!items[index].is_object()) throw ImportFault(place_of(list, index) + " is no object");
   return items[index];
+}
+
+void GltfDocument::count_replaced(std::size_t elements) {
+  replaced_ += elements;
+  if (replaced_ > MeshLimits::kVertices)
+    throw ImportFault("its sparse accessors have more than " + std::to_string(MeshLimits::kVertices) +
+                      " elements in all, counted once for each use");
 }
 
 std::size_t GltfDocument::count(const char* list) const { return list_of(root_, list, "").size(); }

@@ -25,6 +25,8 @@ class GltfDocument {
   [[nodiscard]] std::size_t count(const char* list) const;
   /// The bytes of a buffer, as many as it says. @throws ImportFault if there are fewer
   [[nodiscard]] std::span<const char> buffer(std::size_t index);
+  /// Counts elements of sparse accessors, which are read anew at each use. @throws ImportFault if they are too many
+  void count_replaced(std::size_t elements);
 
  private:
   void read_text(std::string_view json);
@@ -44,6 +46,7 @@ class GltfDocument {
   std::span<const char> binary_;  ///< chunk of a .glb
   std::vector<DataUri> data_;
   Json root_;
+  std::size_t replaced_ = 0;
   std::vector<std::optional<std::span<const char>>> buffers_;
   std::deque<std::string> beside_;  ///< files that buffers lie in
 };

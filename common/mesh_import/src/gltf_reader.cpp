@@ -158,6 +158,7 @@ class GltfReader {
     if (!placed.matrix().allFinite() || determinant == 0.0)
       throw ImportFault(node + " has a scale of 0 or a transform that is not finite: its triangles have no area");
     const std::vector<std::uint32_t> indices = indices_of(primitive, where, mode, positions.count());
+    if (triangles_in(mode, indices.size()) == 0) return;
     const std::vector<std::uint32_t> renamed = add_vertices(positions, indices, where, placed);
     TriangleTags tags{mesh_.part(name, "triangle"), 0, material_of(primitive, where)};
     for (std::size_t t = 0; t < triangles_in(mode, indices.size()); ++t) {

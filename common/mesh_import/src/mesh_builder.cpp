@@ -9,7 +9,7 @@ namespace pelagos {
 
 namespace {
 
-constexpr std::uint64_t kMostWork = 200'000'000;  ///< comparisons, about half a second
+constexpr std::uint64_t kMostWork = 40'000'000;  ///< comparisons, about half a second
 constexpr std::array<float, 3> kGrey{0.5F, 0.5F, 0.5F};
 
 std::size_t hash_of(const Eigen::Vector3d& point) {

@@ -110,7 +110,7 @@ void fan(std::uint32_t count, std::uint32_t start, std::vector<std::array<std::u
 
 bool cut_ears(Ring& ring, std::uint32_t count, std::vector<std::array<std::uint32_t, 3>>& triangles,
               std::uint64_t& work) {
-  std::uint32_t corner = 0, left = count, tried = 0;
+  std::uint32_t corner = 0, left = count, tried = 0, since = 0;
   std::size_t shape = 0;
   while (left > 3) {
     if (ring.is_ear(corner, kShapes[shape], work)) {
@@ -119,11 +119,11 @@ bool cut_ears(Ring& ring, std::uint32_t count, std::vector<std::array<std::uint3
       corner = ring.next(ring.next(corner));  // not the neighbour: that would make a fan of slivers
       --left;
       tried = 0;
-      shape = 0;
+      if (++since >= left / 2) shape = 0, since = 0;  // once round: the ring may have better ears again
     } else {
       corner = ring.next(corner);
       if (++tried < left) continue;
-      tried = 0;
+      tried = since = 0;
       if (++shape == std::size(kShapes)) return false;
     }
     ++work;

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <cctype>
 
 #include "import_fault.hpp"
 #include "readers.hpp"
@@ -15,9 +15,13 @@ constexpr std::size_t kFacet = 50;   ///< bytes: normal, three corners, two byte
 /// Whether the file is binary. A text has a number of facets in its bytes 80 to 83 that no file can hold.
 bool is_binary(std::span<const char> start, std::size_t size) {
   if (start.size() < kHeader) return false;
-  if (kHeader + kFacet * static_cast<std::uint64_t>(little_endian(start, 80)) <= size) return true;
-  const bool is_utf16 = start[0] == '\xFF' || start[0] == '\xFE';  // its text is full of zero bytes
-  return !is_utf16 && std::any_of(start.begin(), start.end(), [](char c) { return c == '\0'; });
+  const std::size_t count = little_endian(start, 80);
+  if (count > 0 && kHeader + kFacet * count <= size) return true;
+  std::string_view text(start.data(), start.size());
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return false;  // UTF-16, full of zero bytes
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())) != 0) text.remove_prefix(1);
+  return !lower_case(text.substr(0, 5)).starts_with("solid") || text.find('\0') != text.npos;
 }
 
 void read_binary(OpenFile& file, std::size_t count, MeshBuilder& mesh) {
@@ -49,7 +53,8 @@ void read_binary(OpenFile& file, std::size_t count, MeshBuilder& mesh) {
 void read_binary_file(OpenFile& file, std::size_t count, MeshBuilder& mesh) {
   const std::size_t wanted = kHeader + kFacet * count;
   if (wanted > file.size())
-    throw ImportFault("its header says " + std::to_string(count) + " facets, which take " + std::to_string(wanted) +
+    throw ImportFault("is no text that begins with \"solid\", and as a binary STL its header says " +
+                      std::to_string(count) + " facets, which take " + std::to_string(wanted) +
                       " bytes, but the file has " + std::to_string(file.size()) + ": it is cut off. Save it again");
   check_triangles(count);
   std::vector<char> header(kHeader);
@@ -118,6 +123,23 @@ class TextStl {
     return std::string(trimmed(all.substr(0, all.size() - before.size())));
   }
 
+  /// Passes over the name after "endsolid", if it is there, up to a solid that begins on the same line.
+  void pass_name() {
+    constexpr int kAhead = 16;  // words
+    while (!trimmed(rest_).empty()) {
+      std::string_view ahead = rest_;
+      if (lower_case(next_word(ahead)) == "solid") {
+        std::string before;
+        for (int n = 0; n < kAhead; ++n) {
+          std::string next = lower_case(next_word(ahead));
+          if (before == "facet" && next == "normal") return;
+          before = std::move(next);
+        }
+      }
+      (void)next_word(rest_);
+    }
+  }
+
   void read_solid() {
     ++solids_;
     const std::string name = read_name();
@@ -129,7 +151,7 @@ class TextStl {
     } else if (word_ != "endsolid") {
       throw unexpected("endsolid");
     }
-    rest_ = {};  // the name once more, or not
+    pass_name();
   }
 
   void read_facet() {
@@ -149,7 +171,8 @@ class TextStl {
       check_corners(corners_.size(), name_of(start));
     }
     if (word_ != "endloop") throw unexpected(corners_.size() < 3 ? "vertex" : "endloop");
-    if (corners_.size() < 3) throw ImportFault(start, "the facet has " + std::to_string(corners_.size()) + " corners");
+    if (corners_.size() < 3)
+      throw ImportFault(start, "the facet has " + std::to_string(corners_.size()) + " corners; allowed: 3 or more");
     expect("endfacet");
     ++facets_;
     if (!part_is_known_) part_ = mesh_.part(part_name_, "the facet at line");

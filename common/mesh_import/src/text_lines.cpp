@@ -37,7 +37,9 @@ bool TextLines::refill() {
 }
 
 bool TextLines::next_physical() {
-  ++physical_;
+  if (++physical_ > MeshLimits::kLines)
+    throw ImportFault("more than " + std::to_string(MeshLimits::kLines) +
+                      " lines; reduce the mesh, or save it in a binary format (.glb, binary .stl)");
   const auto ends = [](char c) { return c == '\n' || c == '\r' || c == '\0'; };
   std::size_t searched = 0;
   while (true) {

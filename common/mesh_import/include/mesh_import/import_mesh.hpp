@@ -17,9 +17,10 @@ struct MeshLimits {
   static constexpr std::size_t kVertices = 3'000'000;
   static constexpr std::size_t kParts = 10'000;  ///< objects, groups, solids, meshes at nodes
   static constexpr std::size_t kMaterials = 10'000;
-  static constexpr std::size_t kCorners = 4'096;  ///< of one polygon
-  static constexpr std::size_t kLine = 1u << 20;  ///< characters of a line of text
-  static constexpr std::size_t kJsonDepth = 64;   ///< brackets inside each other
+  static constexpr std::size_t kCorners = 4'096;     ///< of one polygon
+  static constexpr std::size_t kLines = 10'000'000;  ///< of text
+  static constexpr std::size_t kLine = 1u << 20;     ///< characters of a line of text
+  static constexpr std::size_t kJsonDepth = 64;      ///< brackets inside each other
   static constexpr std::size_t kJsonValues = 1'000'000;
   static constexpr std::size_t kNodeDepth = 256;  ///< nodes below each other
 };
