@@ -14,6 +14,7 @@
 namespace pelagos {
 namespace {
 
+using test::joined;
 using test::make_box;
 using test::make_sphere;
 
@@ -76,6 +77,51 @@ TEST(BodyShape, ThinPlateIsSampledInItsMiddle) {
     EXPECT_NEAR(sample.z(), 0.05f, 1e-3);
     EXPECT_TRUE(shape.inside(sample.cast<double>()));
   }
+}
+
+/// The parts that a wall of 3 x 0.8 x 2 m may come in.
+std::vector<TriangleMesh> walls_of_parts() {
+  const auto lower = make_box({-1.5, -0.4, -1}, {1.5, 0.4, 0.3}), upper = make_box({-1.5, -0.4, -0.2}, {1.5, 0.4, 1});
+  const auto left = make_box({-1.5, -0.4, -1}, {0.17, 0.4, 1}), right = make_box({0.17, -0.4, -1}, {1.5, 0.4, 1});
+  const auto whole = make_box({-1.5, -0.4, -1}, {1.5, 0.4, 1}), inner = make_box({-1, -0.3, -0.9}, {0, 0.3, 0.9});
+  return {whole, joined({lower, upper}), joined({left, right}), joined({whole, inner}), joined({whole, whole})};
+}
+
+TEST(BodyShape, PartsAreSampledAsTheirUnion) {
+  const double d = 0.2, inset = 0.6 * d;
+  std::size_t of_one = 0;
+  for (const TriangleMesh& wall : walls_of_parts()) {
+    const BodyShape shape = make_body_shape(wall, d, 0.6);
+    ASSERT_TRUE(shape.faults.empty()) << shape.faults.front();
+    EXPECT_NEAR(shape.solid.volume, 4.8, 1e-9);
+    if (of_one == 0) of_one = shape.samples.size();
+    EXPECT_NEAR(static_cast<double>(shape.samples.size()) / static_cast<double>(of_one), 1.0, 0.06);
+    for (const auto& sample : shape.samples) {  // 2 % of the inset, single precision
+      const Eigen::Vector3d depth = Eigen::Vector3d(1.5, 0.4, 1.0) - sample.cast<double>().cwiseAbs();
+      EXPECT_NEAR(depth.minCoeff(), inset, 0.03 * d) << "a sample inside the wall, or out of it";
+    }
+    SplitMix64 random(2);
+    for (int n = 0; n < 300; ++n) {  // no hole on the inner faces of the long sides
+      const Eigen::Vector3d place((2 * random.next_unit() - 1) * (1.5 - inset), n % 2 == 0 ? 0.4 - inset : inset - 0.4,
+                                  (2 * random.next_unit() - 1) * (1.0 - inset));
+      EXPECT_LT(distance_to_samples(shape, place), (0.8 + 0.2) * d) << place.transpose();
+    }
+    EXPECT_NEAR(shape.signed_distance({0.1, 0, 0}, 10.0), -0.4, 1e-9) << "to the outside, not to a face within";
+    EXPECT_TRUE(shape.rim.empty());
+  }
+}
+
+TEST(BodyShape, ASealedCavityIsDryAndDisplacesWater) {
+  TriangleMesh hold = make_box({-1, -0.5, -0.5}, {1, 0.5, 0.5});
+  for (auto& triangle : hold.triangles) std::swap(triangle[0], triangle[1]);
+  const auto hull = make_box({-2, -1, -1}, {2, 1, 1});
+  const BodyShape tank = make_body_shape(joined({hull, hold}), 0.25, 0.6), solid = make_body_shape(hull, 0.25, 0.6);
+  ASSERT_TRUE(tank.faults.empty()) << tank.faults.front();
+  EXPECT_NEAR(tank.solid.volume, 14.0, 1e-12);
+  EXPECT_NEAR(tank.displacement, 16.0, 1e-12);
+  EXPECT_TRUE(tank.inside({0, 0, 0})) << "no water may start there";
+  EXPECT_EQ(tank.samples, solid.samples) << "none where no water comes";
+  EXPECT_EQ(tank.notes.size(), 1u);
 }
 
 TEST(BodyShape, IsTheSameEachTime) {

@@ -15,22 +15,13 @@
 namespace pelagos {
 namespace {
 
+using test::joined;
 using test::make_box;
 using test::make_sphere;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-
-TriangleMesh joined(std::initializer_list<TriangleMesh> meshes) {
-  TriangleMesh all;
-  for (const TriangleMesh& mesh : meshes) {
-    const auto first = static_cast<std::uint32_t>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-    for (const auto& [a, b, c] : mesh.triangles) all.triangles.push_back({first + a, first + b, first + c});
-  }
-  return all;
-}
 
 TriangleMesh reversed(TriangleMesh mesh) {
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
@@ -225,8 +216,11 @@ TEST(MeshUnion, Cavity) {
     expect_union(parts, solid);
     const MeshUnion united = unite_parts(parts);
     EXPECT_EQ(united.mesh.triangles, parts.triangles) << "nothing to cut";
-    EXPECT_THAT(united.notes, ElementsAre(HasSubstr("takes 3 m^3 out of the solid")));
+    EXPECT_THAT(united.notes, ElementsAre(HasSubstr("takes 3 m^3 out of the solid around it; it is closed")));
     EXPECT_FALSE(MeshQuery(united.mesh).inside({0, 0, 0}));
+    ASSERT_TRUE(united.outer) << "the sea meets the hull alone";
+    EXPECT_EQ(united.outer->vertices, hull.vertices);
+    EXPECT_EQ(united.outer->triangles, hull.triangles);
   }
 }
 
@@ -241,9 +235,29 @@ TEST(MeshUnion, PartInACavity) {
       {{{-2, -1, -1}, {2, 1, 1}}, {{-1.5, -0.5, -0.5}, {1.5, 0.5, 0.5}, -1.0}, {{0, -0.5, -0.5}, {0.2, 0.5, 0.5}}});
 }
 
+TEST(MeshUnion, WhatIsInASealedCavityIsNotOutside) {
+  const auto hull = make_box({-2, -1, -1}, {2, 1, 1}), hold = reversed(make_box({-1.5, -0.5, -0.5}, {1.5, 0.5, 0.5}));
+  const auto bulkhead = make_box({0, -0.8, -0.8}, {0.2, 0.8, 0.8}), mast = make_box({1, -0.1, 0}, {1.2, 0.1, 5});
+  const MeshUnion united = unite_parts(joined({hull, hold, bulkhead, mast}));
+  EXPECT_NEAR(mesh_volume(united.outside()), 16.0 + 0.2 * 0.2 * 4.0, 1e-8);
+  EXPECT_NEAR(mesh_area(united.outside()), 40.0 + 4 * 0.2 * 4.0, 1e-7);
+}
+
 TEST(MeshUnion, CavityThatEndsFlushWithTheDeckIsOpen) {
   expect_union(joined({make_box({-2, -1, -1}, {2, 1, 1}), reversed(make_box({-1.5, -0.5, -0.5}, {1.5, 0.5, 1}))}),
                {{{-2, -1, -1}, {2, 1, 1}}, {{-1.5, -0.5, -0.5}, {1.5, 0.5, 1}, -1.0}});
+}
+
+TEST(MeshUnion, CavitiesThatJoinAreOpenTogether) {
+  const auto hull = make_box({-2, -1, -1}, {2, 1, 1}), tank = reversed(make_box({-1.8, -0.8, -0.8}, {-1.6, 0.8, 0.8}));
+  const auto low = reversed(make_box({-1.5, -0.5, -0.5}, {1.5, 0.5, 0.3})),
+             hatch = reversed(make_box({0, -0.2, 0.1}, {0.5, 0.2, 1}));
+  const MeshUnion united = unite_parts(joined({hull, tank, low, hatch}));
+  EXPECT_TRUE(united.parts[1].sealed);
+  EXPECT_FALSE(united.parts[2].sealed);
+  EXPECT_FALSE(united.parts[3].sealed);
+  EXPECT_NEAR(mesh_volume(united.outside()), 16.0 - 2.4 - 0.5 * 0.4 * 0.7, 1e-8);
+  EXPECT_NEAR(mesh_volume(united.mesh), 16.0 - 2.4 - 0.5 * 0.4 * 0.7 - 0.2 * 1.6 * 1.6, 1e-8);
 }
 
 TEST(MeshUnion, CavitiesThatOverlapAreOne) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "rigid/triangle_mesh.hpp"
@@ -40,6 +41,17 @@ inline TriangleMesh make_sphere(double radius, std::uint32_t rings) {
     }
   }
   return mesh;
+}
+
+/// The triangles of all.
+inline TriangleMesh joined(std::initializer_list<TriangleMesh> meshes) {
+  TriangleMesh all;
+  for (const TriangleMesh& mesh : meshes) {
+    const auto first = static_cast<std::uint32_t>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (const auto& [a, b, c] : mesh.triangles) all.triangles.push_back({first + a, first + b, first + c});
+  }
+  return all;
 }
 
 }  // namespace pelagos::test

@@ -5,9 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <optional>
 #include <span>
-#include <utility>
 
 #include "rigid/body_shape.hpp"
 #include "rigid/hydrostatics.hpp"
@@ -101,24 +99,18 @@ void report_water(const TriangleMesh& mesh, const MeshQuestions& questions, std:
   line(out, "  wetted area", fmt::format("{:.5g} m^2", h.wetted_area));
 }
 
-/// What is said of the parts, and the boundary of their union; nothing where they have none.
-std::optional<TriangleMesh> unite(const MeshFile& file, std::ostream& out) {
-  MeshUnion united = unite_parts(file.mesh, file.origin);
-  if (report_faults(united.faults, out)) return std::nullopt;
+/// Of a closed mesh without faults. @return whether it can be a body
+bool report_solid(const MeshFile& file, const MeshQuestions& questions, std::ostream& out) {
+  const MeshUnion united = unite_parts(file.mesh, file.origin);
+  if (report_faults(united.faults, out)) return false;
   line(out, "watertight", "yes, no faults");
   line(out, "parts", count_parts(united.parts));
   for (const std::string& note : united.notes) fmt::print(out, "  {}\n", note);
   report_cuts(file, united.part, out);
-  return std::move(united.mesh);
-}
-
-/// Of a closed mesh without faults. @return whether it can be a body
-bool report_solid(const MeshFile& file, const MeshQuestions& questions, std::ostream& out) {
-  const std::optional<TriangleMesh> surface = unite(file, out);
-  if (!surface) return false;
-  report_area(*surface, out);
-  report_volume(*surface, out);
-  if (questions.waterline || questions.draft) report_water(*surface, questions, out);
+  report_area(united.outside(), out);
+  report_volume(united.mesh, out);
+  if (united.outer) line(out, "  cavities filled", fmt::format("{:.5g} m^3", mesh_volume(*united.outer)));
+  if (questions.waterline || questions.draft) report_water(united.outside(), questions, out);
   return true;
 }
 

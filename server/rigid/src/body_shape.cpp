@@ -105,9 +105,12 @@ void take_surface(const TriangleMesh& mesh, const MeshOrigin& origin, BodyShape&
     return;
   }
   MeshUnion united = unite_parts(mesh, origin);
-  shape.mesh = std::move(united.mesh);
   shape.notes = std::move(united.notes);
   shape.faults = std::move(united.faults);
+  if (!shape.faults.empty()) return;
+  shape.solid = mass_properties(united.mesh);
+  shape.mesh = united.outer ? std::move(*united.outer) : std::move(united.mesh);
+  shape.displacement = mesh_volume(shape.mesh);
 }
 
 }  // namespace
@@ -130,7 +133,6 @@ BodyShape make_body_shape(const TriangleMesh& given, double spacing, double inse
                            std::to_string(spacing) + " m: raise particle_spacing or mend mesh_scale");
   if (!shape.faults.empty()) return shape;
 
-  if (kind == MeshKind::kClosed) shape.solid = mass_properties(mesh);
   shape.surface = std::make_shared<const MeshQuery>(mesh);
   for (const Eigen::Vector3d& vertex : mesh.vertices) shape.bounding_box.extend(vertex);
 

@@ -33,19 +33,22 @@ class WindingSums {
     above_ += sign * line.above;
     below_ += sign * line.below;
     const SectionShell& shell = (*shells_)[line.shell];
-    if (shell.outward) solid_above_ += sign * line.above;
+    if (shell.outward) {
+      solid_above_ += sign * line.above;
+      solid_below_ += sign * line.below;
+    }
     if (!shell.first) return;
     repeats_ -= jump_[line.shell] > 0 ? 1 : 0;
     jump_[line.shell] += sign * (line.below - line.above);
     repeats_ += jump_[line.shell] > 0 ? 1 : 0;
   }
   [[nodiscard]] bool on_face() const { return own_ > 0; }
-  [[nodiscard]] FaceSurroundings here() const { return {above_, below_, solid_above_, repeats_ > 0}; }
+  [[nodiscard]] FaceSurroundings here() const { return {above_, below_, solid_above_, solid_below_, repeats_ > 0}; }
 
  private:
   const std::vector<SectionShell>* shells_;
   std::vector<int> jump_;  ///< below less above, of shells that come first
-  int own_ = 0, above_ = 0, below_ = 0, solid_above_ = 0, repeats_ = 0;
+  int own_ = 0, above_ = 0, below_ = 0, solid_above_ = 0, solid_below_ = 0, repeats_ = 0;
 };
 
 class FaceSweep {
@@ -167,13 +170,16 @@ class FaceSweep {
 
   /// Adds to the areas; whether the place is kept.
   bool count(const FaceSurroundings& here, double area) {
-    const bool keep = here.above + own_.above <= 0 && here.below + own_.below >= 1 && !here.repeated;
+    const bool free_above = here.above + own_.above <= 0, solid_below = here.below + own_.below >= 1;
+    const bool keep = free_above && solid_below && !here.repeated;
     FaceAreas& areas = result_.areas;
     areas.all += area;
     if (keep) areas.kept += area;
     if (here.below >= 1) areas.backed += area;
     if (here.below >= 1 && here.above >= 1) areas.buried += area;
     if (here.solid_above < 1) areas.bare += area;
+    if (free_above && !solid_below) areas.joining += area;
+    if (free_above && !solid_below && here.solid_below < 1) areas.opening += area;
     if (here.above != 0 || here.below != 0) areas.enclosed += area;
     return keep;
   }

@@ -25,9 +25,9 @@ struct SectionShell {
 
 /// How the other shells lie about a place on a face.
 struct FaceSurroundings {
-  int above = 0, below = 0;  ///< winding number of all of them just above the face, and just below
-  int solid_above = 0;       ///< the same of those that face outwards
-  bool repeated = false;     ///< a shell that comes first has the same face here
+  int above = 0, below = 0;              ///< winding number of all of them just above the face, and just below
+  int solid_above = 0, solid_below = 0;  ///< the same of those that face outwards
+  bool repeated = false;                 ///< a shell that comes first has the same face here
 };
 
 /// A trapezoid in the plane, anticlockwise, its parallel sides along y; corners may coincide.
@@ -45,6 +45,8 @@ struct FaceAreas {
   double buried = 0.0;    ///< solid by other shells on both sides
   double backed = 0.0;    ///< solid by other shells behind
   double bare = 0.0;      ///< in front in no shell that faces outwards
+  double joining = 0.0;   ///< solid neither in front nor behind: its shell goes over into another void
+  double opening = 0.0;   ///< of that: behind in no shell that faces outwards, so that void is the sea
   double enclosed = 0.0;  ///< other shells wind round it, either way
 };
 

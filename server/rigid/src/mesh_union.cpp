@@ -18,6 +18,7 @@ constexpr double kNear = 2e-6;   ///< of the size: faces nearer lie on one anoth
 constexpr double kTiny = 1e-13;  ///< of the size: widths of pieces that are left out
 constexpr double kSteep = 10.0;  ///< an outline may stand so many times the offset from where its plane cuts
 constexpr double kMerge = 1e-9;  ///< of the size: corners of pieces nearer are one vertex
+constexpr double kSome = 1e-5;   ///< of a part's surface: less is what touching leaves
 constexpr double kWhole = 1e-9;  ///< of a face's area: less is none
 constexpr std::size_t kMostWork = 150'000'000;
 
@@ -104,10 +105,11 @@ class Uniter {
       return std::move(result_);
     }
     assign_roles();
-    if (result_.faults.empty()) {
-      assemble();
-      result_.notes = union_notes(mesh_, origin_, result_);
-    }
+    if (!result_.faults.empty()) return std::move(result_);
+    seal_cavities();
+    assemble();
+    fill_sealed_cavities();
+    if (result_.faults.empty()) result_.notes = union_notes(mesh_, origin_, result_);
     return std::move(result_);
   }
 
@@ -293,7 +295,8 @@ class Uniter {
 
   /// What is known of a shell's surface, m^2.
   struct ShellAreas {
-    double surface = 0.0, kept = 0.0, buried = 0.0, backed = 0.0, bare = 0.0, enclosed = 0.0;
+    double surface = 0.0, kept = 0.0, buried = 0.0, backed = 0.0, bare = 0.0, joining = 0.0, opening = 0.0,
+           enclosed = 0.0;
     bool decided = false;
   };
   void add_areas(std::uint32_t shell, const FaceAreas& face, double area) {
@@ -305,11 +308,12 @@ class Uniter {
     sums.buried += scale * face.buried;
     sums.backed += scale * face.backed;
     sums.bare += scale * face.bare;
+    sums.joining += scale * face.joining;
+    sums.opening += scale * face.opening;
     sums.enclosed += scale * face.enclosed;
   }
 
   void assign_roles() {
-    constexpr double kSome = 1e-5;  // of a part's surface: less is what touching leaves
     FaultList inwards("shell facing inwards");
     bool all_turned = true;  // of the parts that no other encloses
     for (std::uint32_t s = 0; s < areas_.size(); ++s) {
@@ -329,6 +333,37 @@ class Uniter {
       result_.faults.push_back(words_of_turned_file(mesh_volume(mesh_)));
     else
       inwards.append_to(result_.faults);
+  }
+
+  /// Cavities are sealed unless they, or others that they go over into, open into the sea.
+  void seal_cavities() {
+    std::vector<EdgePair> joined;
+    const auto joins = [&](std::uint32_t s) {
+      return result_.parts[s].role == PartRole::kCavity && areas_[s].joining > kSome * areas_[s].surface;
+    };
+    for (std::uint32_t a = 0; a < boxes_.size(); ++a)
+      for (std::uint32_t b = 0; joins(a) && b < a; ++b)
+        if (joins(b) && boxes_[a].intersects(boxes_[b])) joined.push_back({a, b, true});
+    const MeshShells rooms = find_shells(boxes_.size(), joined);
+    std::vector<bool> open(rooms.first.size(), false);
+    for (std::uint32_t s = 0; s < boxes_.size(); ++s)
+      if (joins(s) && areas_[s].opening > kSome * areas_[s].surface) open[rooms.of[s]] = true;
+    for (std::uint32_t s = 0; s < boxes_.size(); ++s)
+      result_.parts[s].sealed = result_.parts[s].role == PartRole::kCavity && !open[rooms.of[s]];
+  }
+
+  /// The outside is that of the other parts alone.
+  void fill_sealed_cavities() {
+    if (std::none_of(result_.parts.begin(), result_.parts.end(), [](const MeshPart& part) { return part.sealed; }))
+      return;
+    TriangleMesh others = mesh_;
+    others.triangles.clear();
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (!result_.parts[shells_.of[t]].sealed) others.triangles.push_back(mesh_.triangles[t]);
+    drop_unused_vertices(others);
+    MeshUnion outside = unite_parts(others);
+    result_.outer = std::move(outside.mesh);
+    result_.faults = std::move(outside.faults);
   }
 
   void assemble() {
@@ -364,18 +399,18 @@ class Uniter {
   }
 
   static void drop_unused_vertices(TriangleMesh& mesh) {
-    constexpr std::uint32_t kUnused = ~std::uint32_t{0};
-    std::vector<std::uint32_t> renamed(mesh.vertices.size(), kUnused);
-    std::vector<Eigen::Vector3d> vertices;
+    std::vector<std::uint32_t> renamed(mesh.vertices.size(), 0);
+    for (const auto& triangle : mesh.triangles)
+      for (const std::uint32_t vertex : triangle) renamed[vertex] = 1;
+    std::uint32_t used = 0;
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+      if (renamed[v] == 0) continue;
+      renamed[v] = used;
+      mesh.vertices[used++] = mesh.vertices[v];
+    }
+    mesh.vertices.resize(used);
     for (auto& triangle : mesh.triangles)
-      for (std::uint32_t& vertex : triangle) {
-        if (renamed[vertex] == kUnused) {
-          renamed[vertex] = static_cast<std::uint32_t>(vertices.size());
-          vertices.push_back(mesh.vertices[vertex]);
-        }
-        vertex = renamed[vertex];
-      }
-    mesh.vertices = std::move(vertices);
+      for (std::uint32_t& vertex : triangle) vertex = renamed[vertex];
   }
 
   enum class Fate : std::uint8_t { kStays, kGoes, kIsCut };

@@ -64,7 +64,8 @@ std::vector<std::string> union_notes(const TriangleMesh& mesh, const MeshOrigin&
   for (const MeshPart& part : united.parts) {
     if (part.role == PartRole::kCavity)
       cavities.add(name_of(origin, part) + " faces inwards and takes " + digits(-part.volume) +
-                   " m^3 out of the solid around it");
+                   " m^3 out of the solid around it; " +
+                   (part.sealed ? "it is closed and stays dry" : "it is open to the water outside"));
     if (part.role == PartRole::kSwallowed)
       swallowed.add(name_of(origin, part) + " encloses " + digits(part.volume) +
                     " m^3 that are solid by other parts already; if it is a cavity, reverse the order of its "

@@ -127,11 +127,11 @@ void check_mass(const Scene& scene, const PlacedShape& body, std::vector<std::st
   const MassSettings& settings = body.settings->mass;
   if (!is_free(body.settings->drive)) return;
   const MassProperties& solid = body.shape->solid;
-  const double share = body_mass(settings, solid).mass / solid.volume / scene.water.rest_density;
+  const double share = body_mass(settings, solid).mass / body.shape->displacement / scene.water.rest_density;
   if (!(share >= kLightest && share <= kHeaviest))
     faults.push_back("its mean density is " + digits(share) +
                      " times that of the water; allowed: " + digits(kLightest) + " to " + digits(kHeaviest) +
-                     " (its mesh encloses " + digits(solid.volume) + " m^3)");
+                     " (its mesh encloses " + digits(body.shape->displacement) + " m^3)");
   if (settings.centre && !body.shape->bounding_box.contains(*settings.centre))
     faults.push_back("its centre of mass " + describe(*settings.centre) + " m lies outside its mesh, " +
                      describe(body.shape->bounding_box.min()) + " to " + describe(body.shape->bounding_box.max()));

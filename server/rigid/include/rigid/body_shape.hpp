@@ -20,10 +20,11 @@ namespace pelagos {
 struct BodyShape {
   std::vector<Eigen::Vector3f> samples;  ///< m
   MeshKind kind = MeshKind::kClosed;
-  TriangleMesh mesh;                                ///< m; of a closed one the union of its parts (unite_parts)
-  MassProperties solid;                             ///< of a closed mesh; zero for an open one
-  Eigen::AlignedBox3d bounding_box;                 ///< m, of the mesh
-  double reach = 0.0;                               ///< m, largest distance of a sample from the body's origin
+  TriangleMesh mesh;                 ///< m; of a closed one the outside of its parts' union (unite_parts)
+  MassProperties solid;              ///< of a closed mesh, without its cavities; zero for an open one
+  double displacement = 0.0;         ///< m^3, of all of it under water: with sealed cavities
+  Eigen::AlignedBox3d bounding_box;  ///< m, of the mesh
+  double reach = 0.0;                ///< m, largest distance of a sample from the body's origin
   std::vector<std::array<Eigen::Vector3d, 2>> rim;  ///< m, edges where an open mesh ends
   std::vector<std::string> faults;                  ///< not empty: the shape cannot be used, and why
   std::vector<std::string> notes;                   ///< what a person should know of its parts

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct MeshPart {
   std::size_t triangles = 0;
   double volume = 0.0;  ///< m^3, enclosed; negative where it faces inwards
   PartRole role = PartRole::kSolid;
+  bool sealed = false;  ///< a cavity that no water can reach: it stays dry, and displaces water as the solid around it
 };
 
 /// The solid that the parts of a closed mesh make together.
@@ -29,10 +31,15 @@ struct MeshUnion {
   /// the boundary by triangles that may end in the middle of each other's edges: right for volumes, areas, distances,
   /// rays and samples, but its edges are not those of two triangles.
   TriangleMesh mesh;
+  /// What the sea meets: the same with sealed cavities, and all that is in them, as if they were solid. Nothing where
+  /// there are none.
+  std::optional<TriangleMesh> outer;
   std::vector<MeshPart> parts;      ///< in the order of their first triangles
   std::vector<std::uint32_t> part;  ///< [triangles of the mesh that was given] index into `parts`
   std::vector<std::string> notes;   ///< what a person should know: cavities, parts that add nothing, overlap
   std::vector<std::string> faults;  ///< not empty: there is no such solid, and what to do
+
+  [[nodiscard]] const TriangleMesh& outside() const { return outer ? *outer : mesh; }
 };
 
 /// Unites the parts of a closed mesh: solids that overlap, touch or nest, less their cavities. Inside is where the
