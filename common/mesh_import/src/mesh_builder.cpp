@@ -1,5 +1,6 @@
 #include "mesh_builder.hpp"
 
+#include <algorithm>
 #include <bit>
 
 #include "import_fault.hpp"
@@ -10,6 +11,7 @@ namespace pelagos {
 namespace {
 
 constexpr std::uint64_t kMostWork = 40'000'000;  ///< comparisons, about half a second
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr std::array<float, 3> kGrey{0.5F, 0.5F, 0.5F};
 
 std::size_t hash_of(const Eigen::Vector3d& point) {
@@ -67,15 +69,27 @@ void MeshBuilder::add_vertex(const Eigen::Vector3d& vertex) {
   mesh_.vertices.push_back(vertex);
 }
 
+std::size_t MeshBuilder::place_of(const Eigen::Vector3d& vertex) const {
+  std::size_t place = hash_of(vertex) & (shared_.size() - 1);
+  while (shared_[place] != kNone && mesh_.vertices[shared_[place]] != vertex)
+    place = (place + 1) & (shared_.size() - 1);
+  return place;
+}
+
 std::uint32_t MeshBuilder::shared_vertex(const Eigen::Vector3d& vertex) {
-  const std::size_t hash = hash_of(vertex);
-  const auto [first, last] = shared_.equal_range(hash);
-  for (auto known = first; known != last; ++known)
-    if (mesh_.vertices[known->second] == vertex) return known->second;
-  const auto index = static_cast<std::uint32_t>(mesh_.vertices.size());
-  add_vertex(vertex);
-  shared_.emplace(hash, index);
-  return index;
+  if (2 * (shared_count_ + 1) > shared_.size()) {
+    std::vector<std::uint32_t> old(std::max<std::size_t>(2 * shared_.size(), 1024), kNone);
+    old.swap(shared_);
+    for (const std::uint32_t known : old)
+      if (known != kNone) shared_[place_of(mesh_.vertices[known])] = known;
+  }
+  std::uint32_t& place = shared_[place_of(vertex)];
+  if (place == kNone) {
+    place = static_cast<std::uint32_t>(mesh_.vertices.size());
+    add_vertex(vertex);
+    ++shared_count_;
+  }
+  return place;
 }
 
 void MeshBuilder::expect(std::size_t vertices, std::size_t triangles) {

@@ -41,10 +41,14 @@ class MeshBuilder {
   [[nodiscard]] ImportedMesh take() { return std::move(mesh_); }
 
  private:
+  /// Where a point is in the hash, or would be.
+  [[nodiscard]] std::size_t place_of(const Eigen::Vector3d& vertex) const;
+
   ImportedMesh mesh_;
   std::unordered_map<std::string, std::uint32_t> parts_, materials_;
-  std::unordered_multimap<std::size_t, std::uint32_t> shared_;  ///< by hash of the point
-  std::uint64_t work_ = 0;                                      ///< comparisons while cutting polygons
+  std::vector<std::uint32_t> shared_;  ///< vertices in a hash by their point, at most half of it taken
+  std::size_t shared_count_ = 0;
+  std::uint64_t work_ = 0;  ///< comparisons while cutting polygons
   std::vector<std::uint32_t> ring_;
   std::vector<Eigen::Vector3d> points_;
   std::vector<std::array<std::uint32_t, 3>> cut_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <sstream>
 
@@ -28,18 +29,22 @@ Eigen::Vector3d size_of(const TriangleMesh& mesh) {
   return box.sizes();
 }
 
-void check_numbers(const TriangleMesh& mesh, std::vector<std::string>& faults) {
-  for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t vertex : triangle)
+void check_numbers(const TriangleMesh& mesh, const MeshOrigin& origin, std::vector<std::string>& faults) {
+  FaultList absurd("corner out of range");
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const std::uint32_t vertex : mesh.triangles[t]) {
       if (vertex >= mesh.vertices.size()) {
         faults.push_back("a triangle names vertex " + std::to_string(vertex) + " of none");
         return;
       }
-  FaultList absurd("vertex out of range");
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    if (!mesh.vertices[v].allFinite() || mesh.vertices[v].cwiseAbs().maxCoeff() > kFarthest)
-      absurd.add("vertex " + std::to_string(v + 1) + " lies at " + text_of(mesh.vertices[v]) +
-                 ", allowed are finite coordinates up to 1e6 m");
+      const Eigen::Vector3d& corner = mesh.vertices[vertex];
+      if (corner.allFinite() && corner.cwiseAbs().maxCoeff() <= kFarthest) continue;
+      absurd.add([&] {
+        return origin.describe(t) + " has a corner at " + text_of(corner) +
+               "; allowed are finite coordinates up to 1e6 m. Move the mesh to its origin, or mend its scale";
+      });
+      break;
+    }
   absurd.append_to(faults);
 }
 
@@ -48,23 +53,26 @@ void check_areas(const TriangleMesh& mesh, const MeshOrigin& origin, std::vector
   FaultList degenerate("degenerate triangle");
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     if (!(mesh.area_vector(t).norm() > least))
-      degenerate.add(origin.describe(t) + " at " + text_of(mesh.corner(t, 0)) + " has no area");
+      degenerate.add([&] { return origin.describe(t) + " at " + text_of(mesh.corner(t, 0)) + " has no area"; });
   degenerate.append_to(faults);
 }
 
 void check_edges(const TriangleMesh& mesh, std::span<const EdgeUse> uses, MeshKind kind, const MeshOrigin& origin,
                  std::vector<std::string>& faults) {
   FaultList open("open edge"), shared("edge shared by too many triangles");
+  const auto place_of = [&](const EdgeUse& use) {
+    return "from " + text_of(mesh.vertices[use.low]) + " to " + text_of(mesh.vertices[use.high]);
+  };
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    const std::string place =
-        "from " + text_of(mesh.vertices[edge[0].low]) + " to " + text_of(mesh.vertices[edge[0].high]);
     if (edge.size() == 1 && kind == MeshKind::kClosed)
-      open.add("only " + origin.describe(edge[0].triangle) + " has the edge " + place);
+      open.add([&] { return "only " + origin.describe(edge[0].triangle) + " has the edge " + place_of(edge[0]); });
     if (edge.size() > 2 && 2 * count_along(edge) != edge.size())
-      shared.add(std::to_string(edge.size()) + " triangles have the edge " + place + ", one of them " +
-                 origin.describe(edge[0].triangle) +
-                 "; allowed: two, or where parts touch as many along it as back. Remove what is inside a part, as a "
-                 "bulkhead without thickness is, or make it a closed part of its own");
+      shared.add([&] {
+        return std::to_string(edge.size()) + " triangles have the edge " + place_of(edge[0]) + ", one of them " +
+               origin.describe(edge[0].triangle) +
+               "; allowed: two, or where parts touch as many along it as back. Remove what is inside a part, as a "
+               "bulkhead without thickness is, or make it a closed part of its own";
+      });
   });
   open.append_to(faults);
   shared.append_to(faults);
@@ -74,11 +82,7 @@ void check_edges(const TriangleMesh& mesh, std::span<const EdgeUse> uses, MeshKi
 class Orientation {
  public:
   Orientation(const TriangleMesh& mesh, std::span<const EdgePair> pairs) : side_(mesh.triangles.size(), 0) {
-    std::vector<std::vector<Neighbor>> neighbors(mesh.triangles.size());
-    for (const EdgePair& pair : pairs) {
-      neighbors[pair.a].push_back({pair.b, pair.agree});
-      neighbors[pair.b].push_back({pair.a, pair.agree});
-    }
+    const Neighbors neighbors(mesh.triangles.size(), pairs);
     for (std::size_t t = 0; t < side_.size(); ++t)
       if (side_[t] == 0) spread(mesh, neighbors, t);
   }
@@ -94,18 +98,40 @@ class Orientation {
 
  private:
   struct Neighbor {
-    std::size_t triangle;
+    std::uint32_t triangle;
     bool agrees;
   };
 
-  void spread(const TriangleMesh& mesh, const std::vector<std::vector<Neighbor>>& neighbors, std::size_t start) {
+  /// What each triangle is joined to, in one list.
+  class Neighbors {
+   public:
+    Neighbors(std::size_t triangles, std::span<const EdgePair> pairs) : first_(triangles + 1, 0) {
+      for (const EdgePair& pair : pairs) ++first_[pair.a + 1], ++first_[pair.b + 1];
+      std::partial_sum(first_.begin(), first_.end(), first_.begin());
+      list_.resize(first_.back());
+      std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+      for (const EdgePair& pair : pairs) {
+        list_[next[pair.a]++] = {pair.b, pair.agree};
+        list_[next[pair.b]++] = {pair.a, pair.agree};
+      }
+    }
+    [[nodiscard]] std::span<const Neighbor> of(std::size_t triangle) const {
+      return std::span(list_).subspan(first_[triangle], first_[triangle + 1] - first_[triangle]);
+    }
+
+   private:
+    std::vector<std::uint32_t> first_;
+    std::vector<Neighbor> list_;
+  };
+
+  void spread(const TriangleMesh& mesh, const Neighbors& neighbors, std::size_t start) {
     std::vector<std::size_t> part{start};
     side_[start] = 1;
     double area[2] = {0.0, 0.0};
     for (std::size_t next = 0; next < part.size(); ++next) {
       const std::size_t t = part[next];
       area[side_[t] == 1 ? 0 : 1] += mesh.area_vector(t).norm();
-      for (const Neighbor& neighbor : neighbors[t]) {
+      for (const Neighbor& neighbor : neighbors.of(t)) {
         const int side = neighbor.agrees ? side_[t] : -side_[t];
         if (side_[neighbor.triangle] == 0) {
           side_[neighbor.triangle] = side;
@@ -136,8 +162,10 @@ void check_orientation(const TriangleMesh& mesh, std::span<const EdgePair> pairs
   }
   FaultList inverted("inverted triangle");
   for (const std::size_t t : orientation.inverted())
-    inverted.add(origin.describe(t) + " at " + text_of(mesh.corner(t, 0)) +
-                 " faces against its neighbours; reverse the order of its corners");
+    inverted.add([&] {
+      return origin.describe(t) + " at " + text_of(mesh.corner(t, 0)) +
+             " faces against its neighbours; reverse the order of its corners";
+    });
   inverted.append_to(faults);
 }
 
@@ -159,7 +187,7 @@ void check_parts(const TriangleMesh& mesh, std::span<const EdgePair> pairs, cons
 std::vector<std::string> find_mesh_faults(const TriangleMesh& mesh, MeshKind kind, const MeshOrigin& origin) {
   if (mesh.vertices.empty() || mesh.triangles.empty()) return {"the mesh has no triangles"};
   std::vector<std::string> faults;
-  check_numbers(mesh, faults);
+  check_numbers(mesh, origin, faults);
   if (!faults.empty()) return faults;
   check_areas(mesh, origin, faults);
   const std::vector<EdgeUse> uses = collect_edges(mesh);

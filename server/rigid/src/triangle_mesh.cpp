@@ -126,6 +126,8 @@ TriangleMesh weld_parts(const TriangleMesh& mesh, std::span<const std::uint32_t>
   std::map<std::uint32_t, std::vector<std::uint32_t>> triangles_of;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) triangles_of[part[t]].push_back(t);
   std::vector<std::uint32_t> renamed(mesh.vertices.size(), kUnused), open;
+  if (triangles_of.size() == 1)
+    return weld_vertices(take_triangles(mesh, triangles_of.begin()->second, renamed), distance);
   TriangleMesh welded;
   welded.triangles.resize(mesh.triangles.size());
   for (const auto& [number, triangles] : triangles_of) {

@@ -8,8 +8,6 @@ namespace pelagos {
 
 namespace {
 
-constexpr std::size_t kShown = 3;  ///< of each kind
-
 std::string digits(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
@@ -22,10 +20,6 @@ std::string name_of(const MeshOrigin& origin, const MeshPart& part) {
 }
 
 }  // namespace
-
-void FaultList::add(const std::string& text) {
-  if (++count_ <= kShown) shown_.push_back(kind_ + ": " + text);
-}
 
 void FaultList::append_to(std::vector<std::string>& faults) const {
   faults.insert(faults.end(), shown_.begin(), shown_.end());

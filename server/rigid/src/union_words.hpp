@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,20 @@ namespace pelagos {
 class FaultList {
  public:
   explicit FaultList(std::string kind) : kind_(std::move(kind)) {}
-  void add(const std::string& text);
+  void add(const std::string& text) {
+    add([&] { return text; });
+  }
+  /// @param words  makes the text; called only if it is shown
+  template <std::invocable Words>
+  void add(const Words& words) {
+    if (++count_ <= kShown) shown_.push_back(kind_ + ": " + words());
+  }
   void append_to(std::vector<std::string>& faults) const;
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
  private:
+  static constexpr std::size_t kShown = 3;
+
   std::string kind_;
   std::vector<std::string> shown_;
   std::size_t count_ = 0;

@@ -13,8 +13,8 @@ namespace pelagos {
 /// What is read of a mesh file at most. A file that has more is refused with these numbers, before the memory is taken.
 struct MeshLimits {
   static constexpr std::size_t kBytes = std::size_t{128} << 20;  ///< of the file and those that it refers to, together
-  static constexpr std::size_t kTriangles = 1'000'000;
-  static constexpr std::size_t kVertices = 3'000'000;
+  static constexpr std::size_t kTriangles = 500'000;
+  static constexpr std::size_t kVertices = 1'500'000;
   static constexpr std::size_t kParts = 10'000;  ///< objects, groups, solids, meshes at nodes
   static constexpr std::size_t kMaterials = 10'000;
   static constexpr std::size_t kCorners = 4'096;     ///< of one polygon
