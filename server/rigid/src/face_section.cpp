@@ -9,6 +9,8 @@ namespace pelagos {
 
 namespace {
 
+constexpr std::size_t kStop = 32;  ///< steps that a place where a slab begins costs at least
+
 /// A segment that is not vertical; `own` is 1 or -1 at the edges of the face itself.
 struct Line {
   Eigen::Vector2d from, to;
@@ -55,7 +57,7 @@ class FaceSweep {
  public:
   FaceSweep(const std::array<Eigen::Vector2d, 3>& corners, OwnWinding own, const std::vector<OutlineSegment>& segments,
             const std::vector<SectionShell>& shells, double tiny, std::size_t& work)
-      : own_(own), tiny_(tiny), work_(work), base_(shells) {
+      : own_(own), tiny_(tiny), work_(work), jumps_(shells.size()), base_(shells) {
     for (const Eigen::Vector2d& corner : corners) range_.extend(corner);
     for (std::size_t c = 0; c < 3; ++c) add_edge(corners[c], corners[(c + 1) % 3]);
     for (const OutlineSegment& segment : segments) add_outline(segment);
@@ -103,7 +105,9 @@ class FaceSweep {
     const double low = range_.min().x(), high = range_.max().x();
     stops_.insert(stops_.end(), {low, high});
     const auto add = [&](double x) {
-      if (x > low && x < high) stops_.push_back(x);
+      if (!(x > low && x < high)) return;
+      stops_.push_back(x);
+      spend(kStop);
     };
     for (std::size_t i = 0; i < lines_.size() && !out_of_work(); ++i) {
       const Line& a = lines_[i];
@@ -149,7 +153,7 @@ class FaceSweep {
   void sweep_slab(double begin, double end) {
     const double middle = 0.5 * (begin + end);
     activate(middle);
-    spend(8 + 4 * active_.size());
+    spend(8 + 4 * active_.size() + jumps_ / 4);
     heights_.clear();
     for (const std::size_t n : active_) heights_.emplace_back(lines_[n].at(middle), n);
     std::sort(heights_.begin(), heights_.end());
@@ -209,6 +213,7 @@ class FaceSweep {
   OwnWinding own_;
   double tiny_;
   std::size_t& work_;
+  std::size_t jumps_;  ///< number of shells: what a copy of the sums costs
   Eigen::AlignedBox2d range_;
   std::vector<Line> lines_, under_;  ///< under_: below all of the face, only their sum matters
   std::vector<std::size_t> by_begin_, by_end_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "box_tree.hpp"
 #include "face_section.hpp"
@@ -20,7 +21,9 @@ constexpr double kSteep = 10.0;  ///< an outline may stand so many times the off
 constexpr double kMerge = 1e-9;  ///< of the size: corners of pieces nearer are one vertex
 constexpr double kSome = 1e-5;   ///< of a part's surface: less is what touching leaves
 constexpr double kWhole = 1e-9;  ///< of a face's area: less is none
-constexpr std::size_t kMostWork = 150'000'000;
+constexpr std::size_t kMostWork = 250'000'000;  ///< steps, 4 ns each; for each triangle, but for the last of many,
+constexpr std::size_t kMostWorkEach = 1000, kMostCounted = 250'000;  ///< there are so many more
+constexpr std::size_t kVisit = 4;                                    ///< steps that a box of a tree or a triangle costs
 
 /// The plane of a face, with axes in it.
 struct FacePlane {
@@ -93,7 +96,10 @@ bool section_of(const std::array<SeenCorner, 3>& corners, double offset, Eigen::
 
 class Uniter {
  public:
-  Uniter(const TriangleMesh& mesh, const MeshOrigin& origin) : mesh_(mesh), origin_(origin) {}
+  Uniter(const TriangleMesh& mesh, const MeshOrigin& origin)
+      : mesh_(mesh),
+        origin_(origin),
+        work_(kMostWork + kMostWorkEach * std::min(mesh.triangles.size(), kMostCounted)) {}
 
   MeshUnion run() {
     find_parts();
@@ -132,6 +138,7 @@ class Uniter {
     }
     for (const Eigen::AlignedBox3d& box : boxes_) all.extend(box);
     size_ = all.sizes().maxCoeff();
+    shell_tree_.emplace(boxes_);
   }
 
   /// Parts without volume have no inside.
@@ -145,18 +152,33 @@ class Uniter {
     return result_.faults.empty();
   }
 
-  /// Parts whose boxes meet another's.
+  /// Parts whose boxes meet another's; only these are looked at.
   void find_meeting_parts() {
     meets_.assign(boxes_.size(), false);
-    const BoxTree tree(boxes_);
-    const double slack = 2.0 * kNear * size_;
-    for (std::size_t s = 0; s < boxes_.size() && work_ > 0; ++s) {
-      const Eigen::AlignedBox3d wide(boxes_[s].min().array() - slack, boxes_[s].max().array() + slack);
-      tree.for_each([&](const Eigen::AlignedBox3d& box) { return spend(1) && box.intersects(wide); },
-                    [&](std::uint32_t other) {
-                      if (other != s && boxes_[other].intersects(wide)) meets_[s] = true;
-                    });
-    }
+    for (std::uint32_t s = 0; s < boxes_.size() && work_ > 0; ++s)
+      for_each_near_shell(
+          boxes_[s], s, [&] { return !meets_[s]; }, [&](std::uint32_t) { meets_[s] = true; });
+  }
+
+  /// Calls visit(shell) for the shells other than `own` that a box comes near to, while go_on().
+  template <class GoOn, class Visit>
+  void for_each_near_shell(const Eigen::AlignedBox3d& box, std::uint32_t own, GoOn&& go_on, Visit&& visit) {
+    const Eigen::AlignedBox3d wide = widened(box);
+    shell_tree_->for_each(
+        [&](const Eigen::AlignedBox3d& node) { return spend(kVisit) && go_on() && node.intersects(wide); },
+        [&](std::uint32_t shell) {
+          if (shell != own && boxes_[shell].intersects(wide) && go_on()) visit(shell);
+        });
+  }
+
+  /// How far from a face another counts as near, m.
+  [[nodiscard]] double slack() const { return 2.0 * kNear * size_; }
+  [[nodiscard]] Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& box) const {
+    return {box.min().array() - slack(), box.max().array() + slack()};
+  }
+  [[nodiscard]] Eigen::AlignedBox3d box_of(std::uint32_t t) const {
+    Eigen::AlignedBox3d box(mesh_.corner(t, 0));
+    return box.extend(mesh_.corner(t, 1)).extend(mesh_.corner(t, 2));
   }
 
   [[nodiscard]] bool outward(std::uint32_t shell) const { return result_.parts[shell].volume > 0.0; }
@@ -167,58 +189,72 @@ class Uniter {
     return work_ > 0;
   }
 
+  /// The triangles of each part that meets another, and a tree over them.
+  void plant_trees() {
+    trees_.assign(boxes_.size(), std::nullopt);
+    members_.resize(boxes_.size());
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (in_play(t)) members_[shells_.of[t]].push_back(t);
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (std::size_t s = 0; s < members_.size(); ++s) {
+      if (members_[s].empty()) continue;
+      boxes.clear();
+      for (const std::uint32_t t : members_[s]) boxes.push_back(box_of(t));
+      trees_[s].emplace(boxes);
+    }
+  }
+
   /// Decides for each face of parts that meet others what of it stays.
   void decide_faces() {
-    std::vector<Eigen::AlignedBox3d> boxes;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (!in_play(t)) continue;
-      boxes.emplace_back(mesh_.corner(t, 0)).extend(mesh_.corner(t, 1)).extend(mesh_.corner(t, 2));
-      numbers_.push_back(t);
-    }
-    const BoxTree tree(boxes);
+    plant_trees();
     fate_.assign(mesh_.triangles.size(), Fate::kStays);
     std::vector<bool> touched(mesh_.triangles.size(), false);
-    for (std::size_t n = 0; n < boxes.size() && work_ > 0; ++n) touched[numbers_[n]] = is_touched(tree, boxes, n);
-    decide_connected_faces(tree, touched);
-    for (const std::uint32_t t : numbers_) {
-      if (!touched[t]) continue;
-      if (work_ == 0) return;
-      FaceRemainder rest = cut(tree, t);
-      add_areas(shells_.of[t], rest.areas, mesh_.area_vector(t).norm());
-      if (rest.areas.kept <= kWhole * rest.areas.all) {
-        fate_[t] = Fate::kGoes;
-      } else if (rest.areas.all - rest.areas.kept > kWhole * rest.areas.all) {
-        fate_[t] = Fate::kIsCut;
-        pieces_.emplace(t, std::move(rest.pieces));
-      }
+    for (std::uint32_t t = 0; t < mesh_.triangles.size() && work_ > 0; ++t) touched[t] = in_play(t) && is_touched(t);
+    decide_connected_faces(touched);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size() && work_ > 0; ++t)
+      if (touched[t]) decide_face(t);
+  }
+
+  void decide_face(std::uint32_t t) {
+    FaceRemainder rest = cut(t);
+    add_areas(shells_.of[t], rest.areas, mesh_.area_vector(t).norm());
+    if (rest.areas.kept <= kWhole * rest.areas.all) {
+      fate_[t] = Fate::kGoes;
+    } else if (rest.areas.all - rest.areas.kept > kWhole * rest.areas.all) {
+      fate_[t] = Fate::kIsCut;
+      pieces_.emplace(t, std::move(rest.pieces));
     }
   }
 
   /// Whether a triangle of another part may come as near to a face as its thickness.
-  bool is_touched(const BoxTree& tree, const std::vector<Eigen::AlignedBox3d>& boxes, std::size_t face) {
-    const double slack = 2.0 * kNear * size_;
-    const std::uint32_t t = numbers_[face];
+  bool is_touched(std::uint32_t t) {
     const FacePlane plane(mesh_, t);
-    const Eigen::AlignedBox3d wide(boxes[face].min().array() - slack, boxes[face].max().array() + slack);
+    const Eigen::AlignedBox3d box = box_of(t), wide = widened(box);
     bool touched = false;
-    tree.for_each([&](const Eigen::AlignedBox3d& box) { return spend(1) && !touched && box.intersects(wide); },
-                  [&](std::uint32_t n) {
-                    const std::uint32_t other = numbers_[n];
-                    if (touched || shells_.of[other] == shells_.of[t] || !boxes[n].intersects(wide)) return;
-                    touched = !is_beside(plane, other, slack) && !is_beside(FacePlane(mesh_, other), t, slack);
-                  });
+    for_each_near_shell(
+        box, shells_.of[t], [&] { return !touched; },
+        [&](std::uint32_t shell) {
+          trees_[shell]->for_each(
+              [&](const Eigen::AlignedBox3d& node) { return spend(kVisit) && !touched && node.intersects(wide); },
+              [&](std::uint32_t n) {
+                const std::uint32_t other = members_[shell][n];
+                if (touched || !box_of(other).intersects(wide)) return;
+                spend(2 * kVisit);
+                touched = !is_beside(plane, other) && !is_beside(FacePlane(mesh_, other), t);
+              });
+        });
     return touched;
   }
 
   /// Whether a triangle lies on one side of a plane, away from it.
-  [[nodiscard]] bool is_beside(const FacePlane& plane, std::size_t t, double slack) const {
+  [[nodiscard]] bool is_beside(const FacePlane& plane, std::size_t t) const {
     const double a = plane.height(mesh_.corner(t, 0)), b = plane.height(mesh_.corner(t, 1)),
                  c = plane.height(mesh_.corner(t, 2));
-    return std::min({a, b, c}) > slack || std::max({a, b, c}) < -slack;
+    return std::min({a, b, c}) > slack() || std::max({a, b, c}) < -slack();
   }
 
   /// Faces that no other part comes near to, as far as they are connected, are all decided by the largest of them.
-  void decide_connected_faces(const BoxTree& tree, const std::vector<bool>& touched) {
+  void decide_connected_faces(const std::vector<bool>& touched) {
     std::vector<EdgePair> joined;
     for (const EdgePair& pair : pairs_)
       if (in_play(pair.a) && !touched[pair.a] && !touched[pair.b]) joined.push_back(pair);
@@ -229,8 +265,8 @@ class Uniter {
       bool goes = false;
     };
     std::vector<Patch> patch(patches.first.size());
-    for (const std::uint32_t t : numbers_) {
-      if (touched[t]) continue;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (!in_play(t) || touched[t]) continue;
       Patch& own = patch[patches.of[t]];
       const double area = mesh_.area_vector(t).norm();
       own.area += area;
@@ -239,33 +275,40 @@ class Uniter {
     for (Patch& own : patch) {
       if (own.largest < 0.0) continue;
       if (work_ == 0) return;
-      const FaceRemainder rest = cut(tree, own.face);
+      const FaceRemainder rest = cut(own.face);
       add_areas(shells_.of[own.face], rest.areas, own.area);
       own.goes = rest.areas.kept < 0.5 * rest.areas.all;
     }
-    for (const std::uint32_t t : numbers_)
-      if (!touched[t] && patch[patches.of[t]].goes) fate_[t] = Fate::kGoes;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (in_play(t) && !touched[t] && patch[patches.of[t]].goes) fate_[t] = Fate::kGoes;
   }
 
-  FaceRemainder cut(const BoxTree& tree, std::uint32_t t) {
+  FaceRemainder cut(std::uint32_t t) {
     const FacePlane plane(mesh_, t);
     const std::array<Eigen::Vector2d, 3> corners{plane.flat(mesh_.corner(t, 0)), plane.flat(mesh_.corner(t, 1)),
                                                  plane.flat(mesh_.corner(t, 2))};
-    FaceStrip strip{plane, {}, 2.0 * kNear * size_};
+    FaceStrip strip{plane, {}, slack()};
     for (const Eigen::Vector2d& corner : corners) strip.range.extend(corner);
     segments_.clear();
     shells_here_.clear();
-    index_here_.clear();
-    tree.for_each([&](const Eigen::AlignedBox3d& box) { return spend(1) && strip.meets(box); },
-                  [&](std::uint32_t n) {
-                    if (shells_.of[numbers_[n]] != shells_.of[t]) add_sections(plane, numbers_[n], shells_.of[t]);
-                  });
-    const OwnWinding own = outward(shells_.of[t]) ? OwnWinding{0, 1} : OwnWinding{-1, 0};
-    return cut_face(corners, own, segments_, shells_here_, kTiny * size_, work_);
+    const std::uint32_t own = shells_.of[t];
+    for_each_near_shell(
+        box_of(t), own, [] { return true; },
+        [&](std::uint32_t shell) {
+          const SectionShell seen{outward(shell), shell < own};
+          const auto here = static_cast<std::uint32_t>(shells_here_.size());
+          const std::size_t before = segments_.size();
+          trees_[shell]->for_each([&](const Eigen::AlignedBox3d& box) { return spend(kVisit) && strip.meets(box); },
+                                  [&](std::uint32_t n) { add_sections(plane, members_[shell][n], here); });
+          if (segments_.size() > before) shells_here_.push_back(seen);
+        });
+    return cut_face(corners, outward(own) ? OwnWinding{0, 1} : OwnWinding{-1, 0}, segments_, shells_here_,
+                    kTiny * size_, work_);
   }
 
   /// Adds what a triangle of another shell gives to the outlines just above and just below a face.
-  void add_sections(const FacePlane& plane, std::uint32_t t, std::uint32_t own) {
+  void add_sections(const FacePlane& plane, std::uint32_t t, std::uint32_t shell) {
+    spend(2 * kVisit);
     std::array<SeenCorner, 3> corners;
     for (std::size_t c = 0; c < 3; ++c) {
       const Eigen::Vector3d& point = mesh_.corner(t, c);
@@ -276,16 +319,12 @@ class Uniter {
     const bool above = section_of(corners, offset, down_above, up_above);
     const bool below = section_of(corners, -offset, down_below, up_below);
     if (!above && !below) return;
-    const auto [known, is_new] =
-        index_here_.try_emplace(shells_.of[t], static_cast<std::uint32_t>(shells_here_.size()));
-    if (is_new) shells_here_.push_back({outward(shells_.of[t]), shells_.of[t] < own});
     if (above && below && down_above == down_below && up_above == up_below) {
-      add_segment(down_above, up_above, 1, 1, known->second);
+      add_segment(down_above, up_above, 1, 1, shell);
     } else {
-      if (above) add_segment(down_above, up_above, 1, 0, known->second);
-      if (below) add_segment(down_below, up_below, 0, 1, known->second);
+      if (above) add_segment(down_above, up_above, 1, 0, shell);
+      if (below) add_segment(down_below, up_below, 0, 1, shell);
     }
-    spend(8);
   }
 
   void add_segment(const Eigen::Vector2d& down, const Eigen::Vector2d& up, int above, int below, std::uint32_t shell) {
@@ -421,17 +460,18 @@ class Uniter {
   double size_ = 0.0;  ///< m, longest side of the mesh's box
   std::vector<EdgePair> pairs_;
   MeshShells shells_;
-  std::vector<Eigen::AlignedBox3d> boxes_;  ///< [shells]
-  std::vector<ShellAreas> areas_;           ///< [shells]
-  std::vector<bool> meets_;                 ///< [shells] whether its box meets another's
-  std::vector<std::uint32_t> numbers_;      ///< triangles of the shells that meet others
-  std::vector<Fate> fate_;                  ///< [triangles]; empty: all stay
+  std::vector<Eigen::AlignedBox3d> boxes_;           ///< [shells]
+  std::vector<ShellAreas> areas_;                    ///< [shells]
+  std::vector<bool> meets_;                          ///< [shells] whether its box meets another's
+  std::optional<BoxTree> shell_tree_;                ///< over boxes_
+  std::vector<std::vector<std::uint32_t>> members_;  ///< [shells] triangles, of those that meet others
+  std::vector<std::optional<BoxTree>> trees_;        ///< [shells] over members_
+  std::vector<Fate> fate_;                           ///< [triangles]; empty: all stay
   std::map<std::uint32_t, std::vector<Trapezoid>> pieces_;
-  std::size_t work_ = kMostWork;
+  std::size_t work_;
   // of the face at hand
   std::vector<OutlineSegment> segments_;
   std::vector<SectionShell> shells_here_;
-  std::map<std::uint32_t, std::uint32_t> index_here_;
 };
 
 }  // namespace
