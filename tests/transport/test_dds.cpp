@@ -1,8 +1,15 @@
+#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 
+#include <array>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <sstream>
 
 #include "loopback.hpp"
 #include "pelagos_dds/configuration.hpp"
@@ -92,6 +99,80 @@ TEST(DdsConfiguration, SmallReceiveBufferIsWarnedOf) {
   const TemporaryFile large("8388608\n");
   EXPECT_FALSE(check_receive_buffer(large.path()));
   EXPECT_FALSE(check_receive_buffer("/nonexistent/rmem_max"));
+}
+
+/// Local addresses of this process's UDP sockets, as /proc/net writes them: hexadecimal, of the machine's byte order.
+std::vector<std::string> udp_hosts() {
+  std::set<std::string> own;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    std::error_code gone;
+    const std::string link = std::filesystem::read_symlink(entry.path(), gone).string();
+    if (link.starts_with("socket:[")) own.insert(link.substr(8, link.size() - 9));
+  }
+  std::vector<std::string> hosts;
+  std::ifstream table("/proc/net/udp");
+  std::string line;
+  std::getline(table, line);  // titles
+  while (std::getline(table, line)) {
+    std::istringstream fields(line);
+    std::string slot, local, field, inode;
+    fields >> slot >> local;
+    for (int skipped = 0; skipped < 7; ++skipped) fields >> field;
+    fields >> inode;
+    if (own.count(inode) > 0) hosts.push_back(local.substr(0, local.find(':')));
+  }
+  return hosts;
+}
+
+std::string in_table(in_addr_t host) {
+  std::array<char, 9> text{};
+  std::snprintf(text.data(), text.size(), "%08X", host);
+  return text.data();
+}
+
+TEST(DdsDomain, OfTheBuiltInConfigurationListensOnLoopbackOnly) {
+  const auto participant = join_dds(test_settings());
+  const std::vector<std::string> hosts = udp_hosts();
+  EXPECT_GE(hosts.size(), 2U);
+  EXPECT_THAT(hosts, testing::Each(in_table(htonl(INADDR_LOOPBACK))));
+  EXPECT_FALSE(reach_of(*participant).beyond_loopback());
+  EXPECT_EQ(describe_reach(reach_of(*participant), test_settings()), "");
+}
+
+TEST(DdsDomain, OfAFileThatNamesLoopbackAloneDoesTheSame) {
+  const TemporaryFile file(
+      "<CycloneDDS><Domain Id=\"any\"><General><Interfaces><NetworkInterface address=\"127.0.0.1\"/></Interfaces>"
+      "<AllowMulticast>false</AllowMulticast></General></Domain></CycloneDDS>");
+  DdsSettings settings = test_settings();
+  settings.config_file = file.path();
+  const auto participant = join_dds(settings);
+  EXPECT_THAT(udp_hosts(), testing::Each(in_table(htonl(INADDR_LOOPBACK))));
+  EXPECT_FALSE(reach_of(*participant).beyond_loopback());
+}
+
+TEST(DdsDomain, OpenToANetworkIsDescribed) {
+  DdsReach reach;
+  reach.interfaces = {"192.0.2.7"};
+  reach.everywhere = true;
+  DdsSettings settings = test_settings();
+  settings.config_file = "lan.xml";
+  EXPECT_THAT(describe_reach(reach, settings),
+              testing::AllOf(HasSubstr("every machine that reaches 192.0.2.7"), HasSubstr("no password"),
+                             HasSubstr("DDS Security"), HasSubstr("--dds-config lan.xml")));
+  setenv("CYCLONEDDS_URI", "<CycloneDDS/>", 1);
+  settings.config_file.clear();
+  EXPECT_THAT(describe_reach(reach, settings), HasSubstr("CYCLONEDDS_URI"));
+  unsetenv("CYCLONEDDS_URI");
+}
+
+TEST(DdsDomain, SocketsOfOthersAreBoundAsTheyAsk) {
+  const auto participant = join_dds(test_settings());
+  const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in any{};
+  any.sin_family = AF_INET;
+  ASSERT_EQ(::bind(socket, reinterpret_cast<const sockaddr*>(&any), sizeof any), 0);
+  EXPECT_THAT(udp_hosts(), testing::Contains(in_table(htonl(INADDR_ANY))));
+  ::close(socket);
 }
 
 TEST(DdsDomain, ParticipantsMayComeAndGoInAnyOrder) {

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "dds_messages.hpp"
+#include "loopback_sockets.hpp"
 #include "pelagos_dds/log_sink.hpp"
 #include "pelagos_dds/participant.hpp"
 
@@ -17,6 +18,7 @@ struct DomainTable {
   struct Entry {
     DdsEntity domain;
     int participants = 0;
+    DdsReach reach;
   };
   std::mutex mutex;
   std::map<std::uint32_t, Entry> domains;
@@ -41,28 +43,52 @@ std::string failure_message(const DdsSettings& settings, dds_return_t code, cons
   return message;
 }
 
+/// A domain, its participant, and whom its sockets reach.
+struct Joined {
+  DdsEntity domain, participant;  ///< the domain is empty where other code of this process had made it
+  DdsReach reach;
+};
+
+Joined make_domain(const DdsSettings& settings, const std::string& configuration, bool keep_to_loopback) {
+  MessageCollector collector;
+  const SocketWatch watch(keep_to_loopback);
+  Joined joined;
+  const dds_entity_t domain = dds_create_domain(settings.domain, configuration.c_str());
+  // PRECONDITION_NOT_MET: other code of this process made the domain; then it stays as it is.
+  if (domain < 0 && domain != DDS_RETCODE_PRECONDITION_NOT_MET)
+    throw DdsError(failure_message(settings, domain, collector.messages()));
+  if (domain > 0) joined.domain = DdsEntity(domain, "domain");
+  const dds_entity_t participant = dds_create_participant(settings.domain, nullptr, nullptr);
+  if (participant < 0) throw DdsError(failure_message(settings, participant, collector.messages()));
+  joined.participant = DdsEntity(participant, "participant");
+  joined.reach = {watch.interfaces(), watch.listens_everywhere()};
+  return joined;
+}
+
+/// A configuration that names loopback alone means it: only then are the sockets kept to it.
+Joined make_domain(const DdsSettings& settings, const std::string& configuration) {
+  const bool built_in = is_built_in(settings);
+  Joined joined = make_domain(settings, configuration, built_in);
+  if (built_in || !joined.domain.get() || !joined.reach.interfaces.empty()) return joined;
+  joined.participant.reset();
+  joined.domain.reset();
+  return make_domain(settings, configuration, true);
+}
+
 DdsEntity join_domain(const DdsSettings& settings) {
   const std::string configuration = resolve_configuration(settings);
   DomainTable& table = process_domains();
   const std::lock_guard lock(table.mutex);
-  MessageCollector collector;
-  DomainTable::Entry& entry = table.domains[settings.domain];
-  if (entry.participants == 0) {
-    const dds_entity_t domain = dds_create_domain(settings.domain, configuration.c_str());
-    // PRECONDITION_NOT_MET: other code of this process made the domain; then it stays as it is.
-    if (domain < 0 && domain != DDS_RETCODE_PRECONDITION_NOT_MET) {
-      table.domains.erase(settings.domain);
-      throw DdsError(failure_message(settings, domain, collector.messages()));
-    }
-    if (domain > 0) entry.domain = DdsEntity(domain, "domain");
+  if (const auto known = table.domains.find(settings.domain); known != table.domains.end()) {
+    MessageCollector collector;
+    const dds_entity_t participant = dds_create_participant(settings.domain, nullptr, nullptr);
+    if (participant < 0) throw DdsError(failure_message(settings, participant, collector.messages()));
+    ++known->second.participants;
+    return DdsEntity(participant, "participant");
   }
-  const dds_entity_t participant = dds_create_participant(settings.domain, nullptr, nullptr);
-  if (participant < 0) {
-    if (entry.participants == 0) table.domains.erase(settings.domain);
-    throw DdsError(failure_message(settings, participant, collector.messages()));
-  }
-  ++entry.participants;
-  return DdsEntity(participant, "participant");
+  Joined joined = make_domain(settings, configuration);
+  table.domains[settings.domain] = {std::move(joined.domain), 1, joined.reach};
+  return std::move(joined.participant);
 }
 
 void leave_domain(std::uint32_t domain) {
@@ -130,6 +156,15 @@ DdsParticipant::~DdsParticipant() {
   if (logs_) install_dds_log({});
 }
 
+DdsReach DdsParticipant::reach() const {
+  DomainTable& table = process_domains();
+  const std::lock_guard lock(table.mutex);
+  const auto known = table.domains.find(domain_);
+  return known == table.domains.end() ? DdsReach{} : known->second.reach;
+}
+
+DdsReach reach_of(const DdsParticipant& participant) { return participant.reach(); }
+
 std::shared_ptr<DdsParticipant> join_dds(const DdsSettings& settings) {
   return std::make_shared<DdsParticipant>(settings);
 }
@@ -156,6 +191,14 @@ std::uint32_t DdsReader::alive_writers() const {
   dds_liveliness_changed_status_t status{};
   if (dds_get_liveliness_changed_status(reader_.get(), &status) != DDS_RETCODE_OK) return 0;
   return status.alive_count;
+}
+
+std::uint64_t DdsReader::participant_of(std::uint64_t writer) const {
+  dds_builtintopic_endpoint_t* endpoint = dds_get_matched_publication_data(reader_.get(), writer);
+  if (endpoint == nullptr) return writer;
+  const std::uint64_t participant = endpoint->participant_instance_handle;
+  dds_builtintopic_free_endpoint(endpoint);
+  return participant;
 }
 
 DdsWaitSet::DdsWaitSet(const DdsParticipant& participant)

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pelagos {
 
@@ -33,6 +34,19 @@ struct DdsSettings {
 /// The configuration that `settings` and the environment ask for, as dds_create_domain takes it.
 /// Throws DdsError if a file is named that cannot be read, or the domain id is out of range.
 [[nodiscard]] std::string resolve_configuration(const DdsSettings& settings);
+
+/// Whether `settings` and the environment name no configuration, so that the one for loopback holds.
+[[nodiscard]] bool is_built_in(const DdsSettings& settings);
+
+/// Who can send to the sockets of a domain.
+struct DdsReach {
+  std::vector<std::string> interfaces;  ///< addresses beside loopback that the configuration uses
+  bool everywhere = false;              ///< the receiving sockets listen on every address of this machine
+  [[nodiscard]] bool beyond_loopback() const { return everywhere || !interfaces.empty(); }
+};
+
+/// In words: who can reach a domain, what they can do there, and what to do about it. Empty for loopback.
+[[nodiscard]] std::string describe_reach(const DdsReach& reach, const DdsSettings& settings);
 
 /// Socket receive buffer that whole frames need without losses, bytes.
 inline constexpr long kWantedReceiveBuffer = 8 * 1024 * 1024;

@@ -52,6 +52,7 @@ class DdsParticipant {
   DdsParticipant& operator=(const DdsParticipant&) = delete;
 
   [[nodiscard]] dds_entity_t get() const { return participant_.get(); }
+  [[nodiscard]] DdsReach reach() const;
 
  private:
   std::uint32_t domain_;
@@ -130,6 +131,10 @@ class DdsReader {
   [[nodiscard]] dds_entity_t get() const { return reader_.get(); }
   /// Writers that are alive by their liveliness.
   [[nodiscard]] std::uint32_t alive_writers() const;
+
+  /// The participant that owns a writer (`publication_handle` of a sample's info); the writer's own handle where the
+  /// writer has gone. Asks the library each time.
+  [[nodiscard]] std::uint64_t participant_of(std::uint64_t writer) const;
 
   /// Calls use(const Type&), or use(const Type&, const dds_sample_info_t&), for each sample that waits. Bounded: at
   /// most `rounds` loans of 32 samples.

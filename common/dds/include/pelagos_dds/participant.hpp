@@ -11,4 +11,7 @@ class DdsParticipant;
 /// Joins a domain, for those who only pass the participant on. Throws DdsError, which says what to do.
 [[nodiscard]] std::shared_ptr<DdsParticipant> join_dds(const DdsSettings& settings);
 
+/// Who can send to the domain that it joined.
+[[nodiscard]] DdsReach reach_of(const DdsParticipant& participant);
+
 }  // namespace pelagos
