@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <atomic>
+#include <deque>
+
 #include "control_fixture.hpp"
 
 namespace pelagos {
@@ -197,14 +201,156 @@ TEST_F(ControlAbuse, StationsBeyondTheLimitAreToldAndPlacesComeFree) {
 }
 
 TEST_F(ControlAbuse, ManyLinksThatSayNothingDoNotPileUp) {
-  options_.max_stations = 2;
+  options_.max_waiting = 4;
   std::vector<std::unique_ptr<RawStation>> idle;
   for (int i = 0; i < 60; ++i) idle.push_back(std::make_unique<RawStation>(port()));
-  EXPECT_TRUE(eventually([&] { return server().statistics().refused_stations == 58; }));
-  EXPECT_EQ(server().statistics().stations, 2u);
+  EXPECT_TRUE(eventually([&] { return server().statistics().displaced_stations == 56; }));
+  EXPECT_EQ(server().statistics().refused_stations, 0u);
+  const auto reply = idle.front()->read();  // the longest silent go first, and are told
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->response().error().code(), Error::TOO_MANY_STATIONS);
+  EXPECT_THAT(reply->response().error().message(), HasSubstr("has asked nothing"));
   idle.clear();
   EXPECT_TRUE(eventually([&] { return server().statistics().stations == 0; }));
   expect_unharmed();
+}
+
+Request subscription() {
+  Request request;
+  request.mutable_subscribe_events();
+  return request;
+}
+
+Request greeting() {
+  Request request;
+  request.mutable_hello()->set_station("test");
+  return request;
+}
+
+std::vector<std::unique_ptr<RawStation>> links_that_asked(std::uint16_t port, const Request& request, int count) {
+  std::vector<std::unique_ptr<RawStation>> links;
+  for (int i = 0; i < count; ++i) {
+    links.push_back(std::make_unique<RawStation>(port));
+    EXPECT_TRUE(links.back()->ask(request));
+  }
+  return links;
+}
+
+TEST_F(ControlAbuse, SilentLinksLockNobodyOut) {
+  options_.max_stations = 2;
+  options_.max_waiting = 8;
+  RawStation known(port());
+  ASSERT_TRUE(known.ask(status_request(1)));
+  std::vector<std::unique_ptr<RawStation>> silent;
+  for (int i = 0; i < 40; ++i) {
+    silent.push_back(std::make_unique<RawStation>(port()));
+    if (i % 3 == 1) silent.back()->send_bytes("\x01");                        // half a header
+    if (i % 3 == 2) silent.back()->send_bytes(RawStation::frame("abc", 60));  // half a message
+  }
+  RawStation newcomer(port());
+  EXPECT_TRUE(newcomer.ask(status_request(2)));
+  for (int i = 0; i < 40; ++i) silent.push_back(std::make_unique<RawStation>(port()));
+  for (RawStation* station : {&known, &newcomer}) {
+    const auto reply = station->ask(status_request(3));
+    ASSERT_TRUE(reply);
+    EXPECT_TRUE(reply->response().has_status());
+  }
+}
+
+TEST_F(ControlAbuse, LinksThatOnlyTakeEventsOrSayHelloGiveWay) {
+  options_.max_stations = 4;
+  for (const Request& little : {subscription(), greeting()}) {
+    const auto links = links_that_asked(port(), little, 4);
+    std::vector<std::unique_ptr<RawStation>> instructors;
+    for (int i = 0; i < 4; ++i) {
+      instructors.push_back(std::make_unique<RawStation>(port()));
+      ASSERT_TRUE(instructors.back()->ask(greeting()));
+      const auto reply = instructors.back()->ask(status_request(2));
+      ASSERT_TRUE(reply);
+      EXPECT_TRUE(reply->response().has_status());
+    }
+    for (const auto& link : links) {
+      const auto reply = link->read();
+      ASSERT_TRUE(reply);
+      EXPECT_EQ(reply->response().error().code(), Error::TOO_MANY_STATIONS);
+      EXPECT_TRUE(link->at_end());
+    }
+    instructors.clear();
+    ASSERT_TRUE(eventually([&] { return server().statistics().stations == 0; }));
+  }
+}
+
+TEST_F(ControlAbuse, WrongRequestsEarnNoPlace) {
+  options_.max_stations = 1;
+  Request wrong;
+  wrong.mutable_set_wind()->mutable_wind()->set_beaufort(-1);
+  const auto links = links_that_asked(port(), wrong, 3);
+  RawStation instructor(port());
+  const auto reply = instructor.ask(status_request(1));
+  ASSERT_TRUE(reply);
+  EXPECT_TRUE(reply->response().has_status());
+}
+
+TEST_F(ControlAbuse, StationsThatAskedKeepTheirPlaces) {
+  options_.max_stations = 3;
+  const auto known = links_that_asked(port(), status_request(1), 2);
+  RawStation waiting(port());  // came while there was room
+  RawStation third(port());
+  ASSERT_TRUE(third.ask(status_request(1)));
+  const auto late = waiting.ask(status_request(9));
+  ASSERT_TRUE(late);
+  EXPECT_EQ(late->response().id(), 9u);
+  EXPECT_EQ(late->response().error().code(), Error::TOO_MANY_STATIONS);
+  EXPECT_TRUE(third.ask(status_request(2)));
+  for (const auto& station : known) EXPECT_TRUE(station->ask(status_request(3)));
+}
+
+TEST_F(ControlAbuse, AFloodOfNewLinksNeitherDropsNorLocksOutAnInstructor) {
+  options_.max_stations = 4;
+  const std::uint16_t where = port();
+  RawStation known(where);
+  ASSERT_TRUE(known.ask(subscription()));
+  ASSERT_TRUE(known.ask(status_request(1)));
+  std::atomic<bool> stop{false};
+  std::atomic<int> opened{0};
+  std::thread flood([&] {
+    std::deque<std::unique_ptr<RawStation>> open;
+    for (int i = 0; !stop; ++i, ++opened) {
+      open.push_back(std::make_unique<RawStation>(where));
+      if (i % 2 == 0) open.back()->send(subscription());
+      if (open.size() > 300) open.pop_front();
+    }
+  });
+  for (int round = 0; round < 8; ++round) {
+    const auto begin = std::chrono::steady_clock::now();
+    bool in = false;
+    while (!in && std::chrono::steady_clock::now() - begin < std::chrono::seconds(5)) {  // 1 s, on a busy machine 5
+      RawStation newcomer(where);
+      const auto reply = newcomer.ask(status_request(2));
+      in = reply && reply->response().has_status();
+    }
+    EXPECT_TRUE(in);
+    const auto reply = known.ask(status_request(3));
+    ASSERT_TRUE(reply);
+    EXPECT_TRUE(reply->response().has_status());
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  stop = true;
+  flood.join();
+  EXPECT_GT(opened, 300);
+  const std::string lines = log();
+  EXPECT_LT(std::count(lines.begin(), lines.end(), '\n'), 60);  // 20 of each level, and 20 a minute
+}
+
+TEST_F(ControlAbuse, AFloodOfGarbageWritesFewLines) {
+  for (int i = 0; i < 500; ++i) {
+    RawStation station(port());
+    station.send_bytes(RawStation::frame("\xff\xff garbage"));
+    EXPECT_TRUE(station.read());
+  }
+  EXPECT_EQ(server().statistics().malformed, 500u);
+  const std::string lines = log();
+  EXPECT_LT(std::count(lines.begin(), lines.end(), '\n'), 60);
 }
 
 TEST_F(ControlAbuse, IdleStationsAreLetGoButNotThoseThatTakeEvents) {

@@ -29,5 +29,19 @@ TEST(Endpoint, RefusesTheRestSayingWhatIsAllowed) {
   }
 }
 
+TEST(Endpoint, OfLoopbackIsOpenToNobody) {
+  for (const char* host : {"127.0.0.1", "127.1.2.3", "::1", "::ffff:127.0.0.1", "localhost"})
+    EXPECT_EQ(describe_reach(host), "") << host;
+}
+
+TEST(Endpoint, OpenToANetworkIsDescribedInWords) {
+  for (const char* host : {"0.0.0.0", "::", "::ffff:0.0.0.0", "192.0.2.7", "2001:db8::7", "::ffff:192.0.2.7"}) {
+    const std::string words = describe_reach(host);
+    for (const char* part : {"every machine that reaches", "no password", "--control 127.0.0.1:PORT"})
+      EXPECT_NE(words.find(part), std::string::npos) << host << ": " << words;
+  }
+  EXPECT_NE(describe_reach("192.0.2.7").find("reaches 192.0.2.7 can"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace pelagos

@@ -136,6 +136,25 @@ std::string describe_body(const proto::v1::BodyStatus& body) {
   return text;
 }
 
+std::string describe_poses(const proto::v1::Status& status) {
+  using ull = unsigned long long;
+  std::string text =
+      format("poses      %llu accepted, %llu refused\n", ull{status.poses_accepted()}, ull{status.poses_refused()});
+  const char* next = "           ";
+  if (status.poses_corrected() > 0)
+    text += next + format("%llu accepted with the velocity of their places: the one sent contradicts them\n",
+                          ull{status.poses_corrected()});
+  for (const auto& refusals : status.pose_refusals())
+    text += next + format("%llu refused: ", ull{refusals.count()}) + refusals.reason() + "\n";
+  return text;
+}
+
+std::string describe_open_links(const proto::v1::Status& status) {
+  std::string text;
+  for (const auto& open : status.open_link()) text += "OPEN       " + open.link() + ": " + open.reach() + "\n";
+  return text;
+}
+
 }  // namespace
 
 Json to_json(const Message& message) {
@@ -175,13 +194,14 @@ std::string describe(const proto::v1::Status& s) {
   if (s.recoveries() > 0) text += format("faults     %llu recovered from\n", ull{s.recoveries()});
   text += format("motion     %.4g J kinetic, fastest %.2f m/s\n", s.kinetic_energy(), s.largest_speed());
   text += format("frames     %llu published, %llu dropped\n", ull{s.frames_published()}, ull{s.frames_dropped()});
-  text += format("poses      %llu accepted, %llu refused\n", ull{s.poses_accepted()}, ull{s.poses_refused()});
+  text += describe_poses(s);
   text += "wind       " + describe_wind(s) + "\n";
   if (s.has_oil()) text += "oil        " + describe_oil(s.oil()) + "\n";
   text += "current    " + describe_current(s) + "\n";
   if (s.scheduled() > 0) text += format("schedule   %u commands wait\n", s.scheduled());
   for (const auto& body : s.body()) text += "body       " + describe_body(body) + "\n";
   text += format("stations   %u\n", s.stations());
+  text += describe_open_links(s);
   return text;
 }
 

@@ -9,6 +9,7 @@
 #include <boost/asio/post.hpp>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "control/endpoint.hpp"
 #include "messages_out.hpp"
@@ -23,6 +24,7 @@ using boost::system::error_code;
 namespace {
 
 constexpr int kMostPendingEvents = 4096;
+constexpr std::size_t kMostLeaving = 64;  // stations that may still read why they were let go
 
 tcp::endpoint resolve(const ControlOptions& options) {
   const std::string host = options.host == "localhost" ? "127.0.0.1" : options.host;
@@ -68,6 +70,8 @@ class ControlServer::Impl {
     // Protobuf writes a line to stderr for each string that is not UTF-8; we count and log such requests ourselves.
     google::protobuf::SetLogHandler(nullptr);
     context_.gone = [this](Station& station) { forget(station); };
+    context_.has_room_for = [this](const Station& station) { return has_room_for(station); };
+    context_.seat = [this](Station& station) { seat(station); };
     port_ = acceptor_.local_endpoint().port();
     accept_next();
     thread_ = std::thread([this] { run(); });
@@ -137,25 +141,71 @@ class ControlServer::Impl {
     });
   }
 
+  /// Whoever comes waits until a valid request earns a place. Where too many wait, those that have done least go, the
+  /// longest silent first: a flood of silent links displaces its own.
   void admit(tcp::socket socket) {
-    const auto active = std::count_if(stations_.begin(), stations_.end(), [](const auto& s) { return !s->closing(); });
-    const bool room = static_cast<std::size_t>(active) < options_.max_stations;
-    if (!room) {
+    const bool full = seated() >= options_.max_stations && least_seated(Standing::kAsked) == nullptr;
+    if (full) {
       ++counters_.refused_stations;
-      log_.write(LogLevel::kWarning, "one station too many was refused (" + std::to_string(active) + " are connected)");
-      if (stations_.size() >= 2 * options_.max_stations + 8) return;  // not even words for it
+      log_.write(LogLevel::kWarning,
+                 "one station too many was refused (" + std::to_string(seated()) + " are connected)");
+      if (leaving() >= kMostLeaving) return;  // not even words for it
+    } else if (waiting() >= options_.max_waiting) {
+      if (Station* const least = least_waiting()) least->give_way(leaving() < kMostLeaving);
     }
     const auto station = std::make_shared<Station>(std::move(socket), context_);
     stations_.insert(station);
-    if (!room) {
+    if (full) {
       return station->refuse(proto::v1::Error::TOO_MANY_STATIONS,
-                             std::to_string(active) + " stations are connected; allowed: " +
+                             std::to_string(seated()) + " stations are connected; allowed: " +
                                  std::to_string(options_.max_stations) + "; close one and try again");
     }
     ++counters_.accepted_stations;
     ++counters_.stations;
     admitted_.insert(station.get());
     station->start();
+  }
+
+  [[nodiscard]] std::size_t count(bool seated, bool closing) const {
+    return static_cast<std::size_t>(std::count_if(stations_.begin(), stations_.end(), [&](const auto& s) {
+      return s->closing() == closing && (closing || s->seated() == seated);
+    }));
+  }
+  [[nodiscard]] std::size_t seated() const { return count(true, false); }
+  [[nodiscard]] std::size_t waiting() const { return count(false, false); }
+  [[nodiscard]] std::size_t leaving() const { return count(false, true); }
+
+  /// Of those with or without a place the one that has done least, the longest silent of these; null if there is none.
+  [[nodiscard]] Station* least(bool with_place) const {
+    const auto now = Clock::now();
+    Station* found = nullptr;
+    for (const auto& station : stations_) {
+      if (station->closing() || station->seated() != with_place) continue;
+      if (found == nullptr || std::pair(station->standing(now), station->silent_since()) <
+                                  std::pair(found->standing(now), found->silent_since()))
+        found = station.get();
+    }
+    return found;
+  }
+  [[nodiscard]] Station* least_waiting() const { return least(false); }
+  /// A station whose place one of `standing` may have.
+  [[nodiscard]] Station* least_seated(Standing standing) const {
+    Station* const found = least(true);
+    return found != nullptr && found->standing(Clock::now()) < standing ? found : nullptr;
+  }
+
+  [[nodiscard]] bool has_room_for(const Station& station) const {
+    return station.seated() || seated() < options_.max_stations || least_seated(Standing::kAsked) != nullptr;
+  }
+
+  void seat(Station& station) {
+    if (station.seated()) return;
+    if (seated() >= options_.max_stations) {
+      Station* const least = least_seated(station.standing(Clock::now()));
+      if (least == nullptr) return;  // it goes on waiting, and is served meanwhile
+      least->give_way(true);
+    }
+    station.set_seated(true);
   }
 
   void forget(Station& station) {
@@ -169,7 +219,7 @@ class ControlServer::Impl {
   const ControlHooks hooks_;
   LimitedLog log_;
   ControlCounters counters_;
-  StationContext context_{options_, hooks_, log_, counters_, {}};
+  StationContext context_{options_, hooks_, log_, counters_, {}, {}, {}};
   asio::io_context io_{1};
   tcp::acceptor acceptor_;
   asio::steady_timer retry_;
@@ -194,6 +244,7 @@ ControlStatistics ControlServer::statistics() const {
   statistics.stations = c.stations;
   statistics.accepted_stations = c.accepted_stations;
   statistics.refused_stations = c.refused_stations;
+  statistics.displaced_stations = c.displaced_stations;
   statistics.requests = c.requests;
   statistics.malformed = c.malformed;
   statistics.oversize = c.oversize;

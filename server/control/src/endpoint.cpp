@@ -1,8 +1,42 @@
 #include "control/endpoint.hpp"
 
+#include <ifaddrs.h>
+#include <net/if.h>
+#include <netdb.h>
+
+#include <boost/asio/ip/address.hpp>
 #include <charconv>
 
 namespace pelagos {
+namespace {
+
+namespace ip = boost::asio::ip;
+
+/// An IPv4 address that is written as one of IPv6 (::ffff:127.0.0.1) is the IPv4 address.
+ip::address plain(const ip::address& address) {
+  if (!address.is_v6() || !address.to_v6().is_v4_mapped()) return address;
+  return ip::make_address_v4(ip::v4_mapped, address.to_v6());
+}
+
+/// The machine's own addresses beside loopback.
+std::string own_addresses() {
+  ifaddrs* first = nullptr;
+  if (::getifaddrs(&first) != 0) return {};
+  std::string text;
+  for (const ifaddrs* entry = first; entry != nullptr; entry = entry->ifa_next) {
+    if (entry->ifa_addr == nullptr || (entry->ifa_flags & IFF_LOOPBACK) != 0) continue;
+    const bool v4 = entry->ifa_addr->sa_family == AF_INET;
+    if (!v4 && entry->ifa_addr->sa_family != AF_INET6) continue;
+    char host[NI_MAXHOST] = {};
+    const socklen_t size = v4 ? sizeof(sockaddr_in) : sizeof(sockaddr_in6);
+    if (::getnameinfo(entry->ifa_addr, size, host, sizeof host, nullptr, 0, NI_NUMERICHOST) != 0) continue;
+    text += (text.empty() ? "" : ", ") + std::string(host);
+  }
+  ::freeifaddrs(first);
+  return text;
+}
+
+}  // namespace
 
 EndpointResult parse_endpoint(const std::string& text) {
   const auto refuse = [&] {
@@ -40,6 +74,18 @@ EndpointResult parse_endpoint(const std::string& text) {
 std::string to_string(const Endpoint& endpoint) {
   const bool ipv6 = endpoint.host.find(':') != std::string::npos;
   return (ipv6 ? "[" + endpoint.host + "]" : endpoint.host) + ":" + std::to_string(endpoint.port);
+}
+
+std::string describe_reach(const std::string& host) {
+  boost::system::error_code error;
+  const ip::address address = plain(ip::make_address(host == "localhost" ? "127.0.0.1" : host, error));
+  if (error || address.is_loopback()) return {};
+  const std::string own = address.is_unspecified() ? own_addresses() : host;
+  std::string text = "every machine that reaches " + (own.empty() ? "any address of this one" : own);
+  if (address.is_unspecified() && !own.empty()) text += " (all addresses of this one)";
+  return text +
+         " can pause the sea and command wind, current and oil; no password protects it. Keep that network inside the "
+         "simulator, or use --control 127.0.0.1:PORT, which only this machine can reach";
 }
 
 }  // namespace pelagos

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -31,34 +33,31 @@ class TokenBucket {
   Clock::time_point last_ = Clock::now();
 };
 
-/// Passes on at most 20 lines a second and tells how many it kept back.
+/// Passes on 20 lines of each level at once and 20 a minute from then on, and tells how many it kept back: whoever
+/// provokes lines for days does not fill a disk.
 class LimitedLog {
  public:
   explicit LimitedLog(std::function<void(LogLevel, std::string_view)> sink) : sink_(std::move(sink)) {}
   void write(LogLevel level, const std::string& text) {
     if (!sink_) return;
-    const auto now = Clock::now();
-    if (now - window_ >= std::chrono::seconds(1)) {
-      if (kept_back_ > 0) {
-        sink_(LogLevel::kWarning, "control: " + std::to_string(kept_back_) + " more lines were kept back");
-      }
-      window_ = now;
-      lines_ = 0;
-      kept_back_ = 0;
-    }
-    if (lines_ >= 20) {
-      ++kept_back_;
+    Budget& budget = budgets_[static_cast<std::size_t>(level)];
+    if (!budget.lines.take(Clock::now())) {
+      ++budget.kept_back;
       return;
     }
-    ++lines_;
+    if (budget.kept_back > 0)
+      sink_(level, "control: " + std::to_string(budget.kept_back) + " more lines were kept back");
+    budget.kept_back = 0;
     sink_(level, "control: " + text);
   }
 
  private:
+  struct Budget {
+    TokenBucket lines{1.0 / 3.0, 20.0};
+    std::uint64_t kept_back = 0;
+  };
   std::function<void(LogLevel, std::string_view)> sink_;
-  Clock::time_point window_{};
-  int lines_ = 0;
-  std::uint64_t kept_back_ = 0;
+  std::array<Budget, 3> budgets_;  // by level
 };
 
 }  // namespace pelagos

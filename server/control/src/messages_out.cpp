@@ -136,6 +136,17 @@ proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
   message.set_frames_dropped(status.frames_dropped);
   message.set_poses_accepted(status.poses_accepted);
   message.set_poses_refused(status.poses_refused);
+  message.set_poses_corrected(status.poses_corrected);
+  for (const PoseRefusals& refusals : status.pose_refusals) {
+    proto::v1::PoseRefusals& out = *message.add_pose_refusals();
+    out.set_reason(std::string(refusals.reason));
+    out.set_count(refusals.count);
+  }
+  for (const OpenLink& open : status.open_links) {
+    proto::v1::OpenLink& out = *message.add_open_link();
+    out.set_link(printable(open.link));
+    out.set_reach(printable(open.reach, 1000));
+  }
   message.set_unconverged_steps(status.unconverged_steps);
   message.set_recoveries(status.recoveries);
   message.set_governed(status.governed);

@@ -2,6 +2,7 @@
 
 #include <netinet/tcp.h>
 
+#include <algorithm>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/write.hpp>
 
@@ -22,6 +23,7 @@ constexpr std::uint32_t kProtocolVersion = 1;
 constexpr std::chrono::milliseconds kLinger{1000};
 constexpr std::size_t kMostDrained = 1 << 20;
 constexpr std::size_t kHeader = 4;
+constexpr std::chrono::seconds kGreetingCounts{10};  // for so long a hello alone is as good as a question
 
 /// A peer that vanished without a word (cable out, host down) is noticed within a minute.
 void detect_dead_peers(asio::ip::tcp::socket& socket) {
@@ -69,6 +71,31 @@ void Station::refuse(Error::Code code, const std::string& text) {
   send(error_message(0, code, text));
   finish();
   read_more();
+}
+
+void Station::give_way(bool linger) {
+  ++context_.counters.displaced_stations;
+  context_.log.write(LogLevel::kWarning, name_ + " has asked nothing and gives way to others");
+  send(error_message(0, Error::TOO_MANY_STATIONS,
+                     "others need this place, and this station has asked nothing; allowed: " +
+                         std::to_string(context_.options.max_stations) +
+                         " stations that have sent a valid request, beside hello and subscribe_events; connect again"));
+  linger ? finish() : close();
+}
+
+Standing Station::standing(Clock::time_point now) const {
+  return standing_ == Standing::kGreeted && now - silent_since_ > kGreetingCounts ? Standing::kListens : standing_;
+}
+
+/// Valid requests raise a station.
+void Station::rise(Request::BodyCase what) {
+  const bool takes_events = what == Request::kSubscribeEvents || what == Request::kUnsubscribeEvents;
+  const Standing earned = takes_events              ? Standing::kListens
+                          : what == Request::kHello ? Standing::kGreeted
+                                                    : Standing::kAsked;
+  standing_ = std::max(standing_, earned);
+  silent_since_ = Clock::now();
+  context_.seat(*this);
 }
 
 // ---- bytes in
@@ -174,8 +201,19 @@ void Station::handle(const char* data, std::size_t size) {
   }
   if (!within_rate(request.id())) return;
   ++context_.counters.requests;
+  const bool greets = request.has_hello() || request.has_subscribe_events() || request.has_unsubscribe_events();
+  if (!greets && !context_.has_room_for(*this)) {
+    ++context_.counters.refused_stations;
+    send(error_message(request.id(), Error::TOO_MANY_STATIONS,
+                       std::to_string(context_.options.max_stations) +
+                           " stations are connected that have asked something before; allowed: no more; close one and "
+                           "try again"));
+    return finish();
+  }
+  valid_ = true;
   try {
     dispatch(request);
+    if (valid_ && !closing_) rise(request.body_case());
   } catch (const std::exception& error) {
     context_.log.write(LogLevel::kError, "a request of " + name_ + " failed: " + printable(error.what()));
     send(error_message(request.id(), Error::INTERNAL, "the server failed at this request; its log says more"));
@@ -231,6 +269,7 @@ void Station::dispatch(const Request& request) {
       break;
   }
   ++context_.counters.invalid;
+  valid_ = false;
   send(error_message(
       request.id(), Error::UNKNOWN_REQUEST,
       "the request has no body that this server knows (protocol version " + std::to_string(kProtocolVersion) + ")"));
@@ -240,6 +279,7 @@ void Station::answer_hello(const Request& request) {
   const auto& hello = request.hello();
   if (hello.has_protocol_version() && hello.protocol_version() != kProtocolVersion) {
     ++context_.counters.invalid;
+    valid_ = false;
     return send(error_message(request.id(), Error::UNSUPPORTED_VERSION,
                               "protocol version " + std::to_string(hello.protocol_version()) +
                                   " is not spoken here; allowed: " + std::to_string(kProtocolVersion),

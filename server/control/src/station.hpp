@@ -17,8 +17,17 @@ namespace pelagos {
 
 /// Counted on the link's thread, read from any.
 struct ControlCounters {
-  std::atomic<std::uint64_t> accepted_stations{0}, refused_stations{0}, requests{0}, malformed{0}, oversize{0},
-      invalid{0}, rate_limited{0}, slow_stations{0}, events{0}, events_lost{0}, stations{0};
+  std::atomic<std::uint64_t> accepted_stations{0}, refused_stations{0}, displaced_stations{0}, requests{0},
+      malformed{0}, oversize{0}, invalid{0}, rate_limited{0}, slow_stations{0}, events{0}, events_lost{0}, stations{0};
+};
+
+/// What a station has done so far; those that have done least give way first. `kGreeted` without more falls back to
+/// `kListens` after a while.
+enum class Standing {
+  kStranger,  ///< no valid request
+  kListens,   ///< only said hello, some time ago, or takes events
+  kGreeted,   ///< said hello just now
+  kAsked,     ///< has asked or commanded something
 };
 
 /// What all stations of a server share; used on the link's thread only.
@@ -28,6 +37,10 @@ struct StationContext {
   LimitedLog& log;
   ControlCounters& counters;
   std::function<void(class Station&)> gone;
+  /// Whether a station may ask or command: it has a place, or one can be made free for it.
+  std::function<bool(const class Station&)> has_room_for;
+  /// Gives the station a place for what it has just become, if there is one.
+  std::function<void(class Station&)> seat;
 };
 
 /// One instructor's link: cuts the bytes into requests, answers each, and queues events. All on the link's thread.
@@ -41,7 +54,15 @@ class Station : public std::enable_shared_from_this<Station> {
   void send_event(const std::shared_ptr<const std::string>& framed);
   void close();
 
+  /// Tells a station that others need its place, and closes. @param linger  whether to wait until it has read that
+  void give_way(bool linger);
+
   [[nodiscard]] bool closing() const { return closing_; }
+  [[nodiscard]] Standing standing(Clock::time_point now) const;
+  [[nodiscard]] bool seated() const { return seated_; }
+  void set_seated(bool seated) { seated_ = seated; }
+  /// Since the last valid request, or since it came.
+  [[nodiscard]] Clock::time_point silent_since() const { return silent_since_; }
   [[nodiscard]] bool subscribed() const { return subscribed_; }
   [[nodiscard]] const std::string& name() const { return name_; }
 
@@ -55,6 +76,7 @@ class Station : public std::enable_shared_from_this<Station> {
   void handle(const char* data, std::size_t size);
   [[nodiscard]] bool within_rate(std::uint64_t id);
   void dispatch(const proto::v1::Request& request);
+  void rise(proto::v1::Request::BodyCase what);
   void answer_hello(const proto::v1::Request& request);
   /// A command in one of the request's own fields, or in `command`.
   void answer_command(const proto::v1::Request& request);
@@ -87,6 +109,10 @@ class Station : public std::enable_shared_from_this<Station> {
   int excess_ = 0;
   Clock::time_point last_excess_{};
   std::size_t drained_ = 0;
+  Standing standing_ = Standing::kStranger;
+  Clock::time_point silent_since_ = Clock::now();
+  bool seated_ = false;
+  bool valid_ = true;  ///< the request that is being answered
   bool message_begun_ = false;
   bool subscribed_ = false;
   bool closing_ = false;

@@ -81,6 +81,7 @@ void Station::schedule(std::uint64_t id, const Command& command, double at) {
 
 void Station::refuse_values(std::uint64_t id, const FieldFaults& faults) {
   ++context_.counters.invalid;
+  valid_ = false;
   std::string text;
   for (const FieldFault& fault : faults) text += (text.empty() ? "" : "; and ") + fault.field + ": " + fault.what;
   send(error_message(id, Error::INVALID_VALUE, text, faults.empty() ? "" : faults.front().field));

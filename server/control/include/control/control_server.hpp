@@ -19,10 +19,11 @@ namespace pelagos {
 
 /// Where the instructors' link listens, and what it takes from stations (proto/control.proto is the contract).
 struct ControlOptions {
-  std::string host = "127.0.0.1";  ///< address of one interface; 0.0.0.0 for all. There is no encryption: see docs
-  std::uint16_t port = 7410;       ///< 0: any free one, told by ControlServer::port()
-  std::size_t max_stations = 32;
-  std::size_t max_message = 64 * 1024;   ///< bytes of one request
+  std::string host = "127.0.0.1";       ///< address of one interface; 0.0.0.0 for all. There is no encryption: see docs
+  std::uint16_t port = 7410;            ///< 0: any free one, told by ControlServer::port()
+  std::size_t max_stations = 32;        ///< with a place of their own: that have sent a valid request
+  std::size_t max_waiting = 256;        ///< beside them: that have not yet, or wait for a place
+  std::size_t max_message = 64 * 1024;  ///< bytes of one request
   std::size_t max_unsent = 1024 * 1024;  ///< bytes waiting for one station before it is dropped
   double requests_per_second = 50.0;     ///< of one station, sustained
   double request_burst = 100.0;          ///< requests at once
@@ -67,7 +68,7 @@ struct ControlHooks {
   std::function<ServerStatus()> status;
   /// The air as it moves now at each of the places (m, world).
   std::function<AirReading(const std::vector<Eigen::Vector3d>& position)> read_air;
-  std::function<void(LogLevel level, std::string_view text)> log;  ///< at most about 20 lines a second, one line each
+  std::function<void(LogLevel level, std::string_view text)> log;  ///< 20 lines at once, then about 20 a minute
 };
 
 /// The link cannot be opened; what() names the address and what to do.
@@ -77,13 +78,14 @@ class ControlError : public std::runtime_error {
 
 /// Counts since the start.
 struct ControlStatistics {
-  std::uint64_t stations = 0;           ///< connected now
-  std::uint64_t accepted_stations = 0;  ///< since the start
-  std::uint64_t refused_stations = 0;   ///< beyond max_stations
-  std::uint64_t requests = 0;           ///< whole and readable
-  std::uint64_t malformed = 0;          ///< unreadable, half, or overdue messages
-  std::uint64_t oversize = 0;           ///< announced lengths of 0 or beyond the limit
-  std::uint64_t invalid = 0;            ///< readable requests refused for a value or a missing body
+  std::uint64_t stations = 0;            ///< connected now
+  std::uint64_t accepted_stations = 0;   ///< since the start
+  std::uint64_t refused_stations = 0;    ///< beyond max_stations
+  std::uint64_t displaced_stations = 0;  ///< that had asked little or nothing and gave way to others
+  std::uint64_t requests = 0;            ///< whole and readable
+  std::uint64_t malformed = 0;           ///< unreadable, half, or overdue messages
+  std::uint64_t oversize = 0;            ///< announced lengths of 0 or beyond the limit
+  std::uint64_t invalid = 0;             ///< readable requests refused for a value or a missing body
   std::uint64_t rate_limited = 0;
   std::uint64_t slow_stations = 0;  ///< dropped because they did not read
   std::uint64_t events = 0;         ///< broadcast

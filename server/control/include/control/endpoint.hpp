@@ -21,4 +21,8 @@ struct EndpointResult {
 [[nodiscard]] EndpointResult parse_endpoint(const std::string& text);
 [[nodiscard]] std::string to_string(const Endpoint& endpoint);
 
+/// In words: who can reach a link that listens at this numeric address, what they can do, and what to do about it.
+/// Empty for addresses of loopback.
+[[nodiscard]] std::string describe_reach(const std::string& host);
+
 }  // namespace pelagos

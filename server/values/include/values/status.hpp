@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "values/body.hpp"
@@ -13,6 +14,18 @@
 #include "values/wind.hpp"
 
 namespace pelagos {
+
+/// A link of the server that more than its own machine can reach.
+struct OpenLink {
+  std::string link;   ///< "control 0.0.0.0:7410", "DDS domain 7"
+  std::string reach;  ///< in words: who can reach it, what they can do, and what to do about it
+};
+
+/// How many poses were refused for one reason.
+struct PoseRefusals {
+  std::string_view reason;  ///< lives as long as the program
+  std::uint64_t count = 0;
+};
 
 /// The health of the server, as published on `status_v2` and answered over the control link. All over the last second
 /// unless stated.
@@ -40,6 +53,9 @@ struct ServerStatus {
   std::uint64_t frames_dropped = 0;     ///< replaced in the mailbox before the publisher took them, since the start
   std::uint64_t poses_accepted = 0;
   std::uint64_t poses_refused = 0;
+  std::uint64_t poses_corrected = 0;        ///< of those accepted: the velocity contradicted the places
+  std::vector<PoseRefusals> pose_refusals;  ///< since the start, reasons that occurred
+  std::vector<OpenLink> open_links;
   std::uint64_t recoveries = 0;  ///< times that the last good state came back after a numerical fault, since the start
   Effort effort;                 ///< that holds now: the scene's own, or the governor's
   bool governed = false;         ///< whether a governor may change it
