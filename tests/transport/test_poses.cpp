@@ -32,7 +32,7 @@ BodyPose pose_at(double time) {
 class PoseGateTest : public testing::Test {
  protected:
   std::optional<PoseFault> check(BodyPose pose, std::uint32_t sender = kSender, std::chrono::milliseconds later = 0ms) {
-    return gate_.check(pose, sender, start_ + later);
+    return gate_.check(pose, {sender}, start_ + later);
   }
   std::uint64_t refused(PoseFault fault) const { return gate_.counters().refused[static_cast<std::size_t>(fault)]; }
 
@@ -100,7 +100,7 @@ TEST_F(PoseGateTest, StandbySenderTakesOverAfterSilence) {
 TEST_F(PoseGateTest, NearlyUnitQuaternionIsMadeUnit) {
   BodyPose pose = pose_at(1.0);
   pose.orientation.coeffs() *= 1.005;
-  EXPECT_EQ(gate_.check(pose, kSender, start_), std::nullopt);
+  EXPECT_EQ(gate_.check(pose, {kSender}, start_), std::nullopt);
   EXPECT_NEAR(pose.orientation.norm(), 1.0, 1e-15);  // rounding
 }
 
@@ -195,19 +195,62 @@ pelagos_GeodeticPoseV1 geodetic_sample(double latitude_deg, double longitude_deg
 }
 
 TEST_F(PoseLoopback, GeodeticPosesAreTurnedIntoTheWorld) {
-  const pelagos_GeodeticPoseV1 sample = geodetic_sample(kOrigin.latitude_deg + 0.01, kOrigin.longitude_deg);
-  ASSERT_TRUE(geodetic_->write(&sample));
+  constexpr double kMetresPerDegree = 111e3;  // of latitude there
+  const auto start = PoseGate::Clock::now();
   std::vector<ReceivedPose> poses;
-  ASSERT_TRUE(eventually([&] {
+  std::optional<BodyPose> last;
+  ASSERT_TRUE(eventually([&] {  // until its places have borne the velocity out
+    const double time = std::chrono::duration<double>(PoseGate::Clock::now() - start).count();
+    const double latitude = kOrigin.latitude_deg + 0.01 + 5.0 * time / kMetresPerDegree;
+    pelagos_GeodeticPoseV1 sample = geodetic_sample(latitude, kOrigin.longitude_deg);
+    sample.time = 1.0 + time;
+    sample.orientation = {0.0, 0.0, std::sin(0.05 * time), std::cos(0.05 * time)};
+    EXPECT_TRUE(geodetic_->write(&sample));
+    std::this_thread::sleep_for(5ms);
     receiver_->take_newest(poses);
-    return !poses.empty();
+    if (!poses.empty()) last = poses[0].pose;
+    return last && last->velocity.norm() > 4.99 && last->angular_velocity.norm() > 0.0999;
   }));
-  const BodyPose& pose = poses[0].pose;
-  EXPECT_NEAR(pose.position.x(), 0.0, 1e-6);
-  EXPECT_NEAR(pose.position.y(), 1110.0, 1.0);  // a hundredth of a degree at 38.86 degrees north
-  EXPECT_TRUE((pose.orientation * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY(), 1e-3));
-  EXPECT_TRUE(pose.velocity.isApprox(Eigen::Vector3d(0.0, 5.0, 0.0), 1e-3));
-  EXPECT_TRUE(pose.angular_velocity.isApprox(Eigen::Vector3d(0.0, 0.0, -0.1), 1e-3));
+  EXPECT_NEAR(last->position.x(), 0.0, 1e-6);
+  EXPECT_NEAR(last->position.y(), 1110.0 + 5.0 * (last->time - 1.0), 1.5);  // a hundredth of a degree at 38.86 north
+  const double heading = 0.1 * (last->time - 1.0);
+  EXPECT_TRUE((last->orientation * Eigen::Vector3d::UnitX())
+                  .isApprox(Eigen::Vector3d(std::sin(heading), std::cos(heading), 0.0), 1e-3));
+  EXPECT_TRUE(last->velocity.isApprox(Eigen::Vector3d(0.0, 5.0, 0.0), 1e-3));
+  EXPECT_TRUE(last->angular_velocity.isApprox(Eigen::Vector3d(0.0, 0.0, -0.1), 1e-3));
+}
+
+TEST_F(PoseLoopback, TwoBridgesWithOneNumberAreTwo) {
+  DdsSettings settings = test_settings();
+  const auto other_process = join_dds(settings);
+  const DdsWriter second(*other_process, topics::body_pose());
+  ASSERT_TRUE(eventually([&] { return second.matched_readers() == 1; }));
+  ASSERT_TRUE(send(pose_at(1.0), *own_ship_));
+  ASSERT_TRUE(eventually([this] { return receiver_->counters().accepted == 1; }));
+  double time = 1.0;
+  const auto refused = [this] {
+    return receiver_->counters().refused[static_cast<std::size_t>(PoseFault::kSecondSender)];
+  };
+  ASSERT_TRUE(eventually([&] {
+    time += 0.1;
+    (void)send(pose_at(time), *own_ship_);
+    (void)send(pose_at(time + 0.05), second);
+    return refused() > 2;
+  }));
+  EXPECT_TRUE(eventually([this] {
+    const std::lock_guard lock(mutex_);
+    return std::any_of(lines_.begin(), lines_.end(), [](const std::string& line) {
+      return line.find("another sender drives this body: another program that sends as 5") != std::string::npos;
+    });
+  }));
+  // The first falls silent: the second takes over.
+  const std::uint64_t before = receiver_->counters().accepted;
+  EXPECT_TRUE(eventually([&] {
+    time += 0.1;
+    (void)send(pose_at(time), second);
+    std::this_thread::sleep_for(10ms);
+    return receiver_->counters().accepted > before + 2;
+  }));
 }
 
 TEST_F(PoseLoopback, PlacesThatAreNoneAreRefused) {

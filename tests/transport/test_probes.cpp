@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "loopback.hpp"
@@ -146,6 +147,45 @@ TEST_F(ProbeLoopback, RequestsAreTakenOnceAndFaultsNamed) {
   bad.probe = 0;
   send(bad);
   EXPECT_EQ(take(1).at(0).fault, "probe is 0; allowed: 1 or more");
+}
+
+TEST_F(ProbeLoopback, NamesWithControlCharactersAreRefusedAndNotPassedOn) {
+  for (const std::string name : {"a\x1b[2J", "line\nbreak", "\x7f", "caf\xe9", "left\xe2\x80\xaeright"}) {
+    ProbeSettings probe = some_probe(0);
+    probe.name = name;
+    send(wire::to_wire(probe, 3, pelagos_FRAME_ENU));
+    const auto requests = take(1);
+    ASSERT_EQ(requests.size(), 1U);
+    EXPECT_THAT(requests[0].fault, testing::HasSubstr("allowed: up to 64 bytes")) << name;
+    EXPECT_EQ(std::get<SetProbe>(requests[0].command).probe.name, "probe 4");
+  }
+  ProbeSettings probe = some_probe(0);
+  probe.name = "anem\xc3\xb3metro";
+  send(wire::to_wire(probe, 3, pelagos_FRAME_ENU));
+  EXPECT_EQ(take(1).at(0).fault, "");
+}
+
+TEST_F(ProbeLoopback, AFloodIsTakenWithinLimitsAndOthersAreServed) {
+  std::vector<ProbeRequest> all, some;
+  ProbeSettings probe = some_probe(0);
+  for (int round = 0; round < 60; ++round) {
+    for (int k = 0; k < 32; ++k) {
+      probe.id = static_cast<std::uint32_t>(1 + k);
+      send(wire::to_wire(probe, 66, pelagos_FRAME_ENU));
+    }
+    EXPECT_TRUE(eventually([&, before = all.size() + receiver_.dropped()] {
+      receiver_.take(some);
+      all.insert(all.end(), some.begin(), some.end());
+      return all.size() + receiver_.dropped() > before;
+    }));
+  }
+  EXPECT_GT(receiver_.dropped(), 0U);
+  EXPECT_LT(all.size(), 300U + 20U * 30U);  // 300 at once, and 20 a second for as long as this may take
+  send(wire::to_wire(probe, 7, pelagos_FRAME_ENU));
+  EXPECT_TRUE(eventually([&] {
+    receiver_.take(some);
+    return std::any_of(some.begin(), some.end(), [](const ProbeRequest& request) { return request.sender == 7; });
+  }));
 }
 
 TEST_F(Loopback, ProbesAreReadByAnyone) {

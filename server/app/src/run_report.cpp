@@ -74,6 +74,7 @@ Json transport(const ServerSummary& s) {
           {"pack_ms_mean", p.pack_ms_mean},
           {"publish_ms_mean", p.frame_ms_mean},
           {"poses_accepted", s.poses.accepted},
+          {"poses_corrected", s.poses.corrected},
           {"poses_refused", s.poses.refused_in_all()}};
 }
 

@@ -99,13 +99,17 @@ void Server::open_links() {
   dds.config_file = options_.dds_config;
   dds.log = [](std::string_view line) { log_warning(line); };
   const auto participant = join_dds(dds);
+  tell_open_links(*participant, dds);
   PublisherSettings settings;
   settings.bodies_in_ned = options_.bodies_in_ned;
   publisher_ = std::make_unique<FramePublisher>(participant, std::nullopt, settings, dds.log);
   publisher_->submit_status(status_);  // viewers see that a server starts
   open_world();
   publisher_->publish_scene_info(world_->describe());
-  poses_ = std::make_unique<PoseReceiver>(participant, driven_bodies(options_.scene), options_.scene.origin, dds.log);
+  PoseLimits limits;
+  limits.spacing = options_.scene.particle_spacing;
+  poses_ = std::make_unique<PoseReceiver>(participant, driven_bodies(options_.scene), options_.scene.origin, dds.log,
+                                          limits);
   probe_requests_ = std::make_unique<ProbeReceiver>(participant);
 }
 
@@ -286,7 +290,6 @@ void Server::publish_first_frame() {
 void Server::refresh_status() {
   const std::int64_t now = monotonic_ns();
   const PublisherCounters sent = publisher_->counters();
-  const PoseCounters poses = poses_->counters();
   ServerStatus status;
   {
     const std::scoped_lock lock(status_mutex_);
@@ -301,8 +304,7 @@ void Server::refresh_status() {
     status_.largest_speed = last_report_.largest_speed;
     status_.frames_published = sent.published;
     status_.frames_dropped = sent.dropped;
-    status_.poses_accepted = poses.accepted;
-    status_.poses_refused = poses.refused_in_all();
+    fill_pose_counts(status_);
     status_.wind = world_->wind();
     status_.current = world_->current();
     status_.moves_water = world_->current_moves_water();
@@ -317,6 +319,7 @@ void Server::refresh_status() {
     if (paused_) status_.real_time_factor = 0.0;
     status = status_;
   }
+  watch_refusals();
   if (now < next_log_ns_) return;
   next_log_ns_ = now + kLogIntervalNs;
   log_status(status);
@@ -387,8 +390,7 @@ void Server::announce(const std::string& kind, const std::string& source, const 
   event.kind = kind;
   event.source = source;
   event.text = text;
-  log_info(fmt::format("event {} at step {}, t {:.3f} s, by {}: {}", event.sequence, event.step, event.simulation_time,
-                       source, text));
+  log_event(event);
   control_->broadcast(event);
   publisher_->publish_event(event);
 }

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -12,6 +13,8 @@
 #include "control/control_server.hpp"
 #include "convergence_watch.hpp"
 #include "governor.hpp"
+#include "pelagos_dds/log_sink.hpp"
+#include "pelagos_dds/participant.hpp"
 #include "replay.hpp"
 #include "scene/command_log.hpp"
 #include "simulation/world.hpp"
@@ -92,6 +95,13 @@ class Server {
   bool apply_to_clock(const Command& command);
   void notice_closed_axes();
 
+  // server_doors.cpp
+  void tell_open_links(const DdsParticipant& participant, const DdsSettings& dds);
+  void fill_pose_counts(ServerStatus& status) const;
+  void watch_refusals();
+  void watch_dropped_requests();
+  void log_event(const Event& event);
+
   void take_poses();
   void advance();
   void publish_frame(StepReport& report);
@@ -134,6 +144,10 @@ class Server {
   std::vector<ReceivedPose> taken_poses_;
   std::vector<ProbeRequest> taken_requests_;
   std::vector<PoseHealth> pose_health_;
+  std::map<std::string, RateLimitedLog> event_logs_;  ///< by kind: a flood of one does not hide another
+  std::uint64_t refusals_told_ = 0;                   ///< poses refused or corrected at the last event about them
+  std::uint64_t requests_dropped_ = 0;                ///< for probes, told so far
+  std::int64_t next_refusals_ns_ = 0, next_dropped_ns_ = 0;
   std::vector<bool> outside_;  ///< by body: last seen outside the tank
   StepReport last_report_;
   std::uint64_t events_ = 0, recoveries_ = 0, effort_changes_ = 0;

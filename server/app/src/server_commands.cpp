@@ -82,6 +82,7 @@ void Server::take_probe_requests() {
     if (!refusal) refusal = commands_.submit(request.command, source);
     if (refusal) announce("refused", source, describe_command(request.command).text + ": " + *refusal);
   }
+  watch_dropped_requests();
 }
 
 void Server::apply_commands() {
@@ -109,7 +110,6 @@ void Server::apply(const QueuedCommand& queued) {
   if (!changes_water(queued.command) && !apply_to_clock(queued.command)) return;
   if (const auto refusal = world_->apply(queued.command)) {
     announce("refused", queued.source, describe_command(queued.command).text + ": " + *refusal);
-    log_warning(queued.source + ": refused: " + *refusal);
     return;
   }
   if (std::holds_alternative<SetEffort>(queued.command)) ++effort_changes_;

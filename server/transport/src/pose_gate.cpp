@@ -26,6 +26,8 @@ std::string_view describe(PoseFault fault) {
     case PoseFault::kNoPlace:
       return "latitude, longitude or height is no place; allowed: -90 to 90 degrees, -180 to 360 degrees, -12 to 100 "
              "km";
+    case PoseFault::kLeaps:
+      return "the place leaps: a ship cannot have come there since the pose before, and no second pose bears it out";
   }
   return "unknown fault";
 }
@@ -35,19 +37,36 @@ std::uint64_t PoseCounters::refused_in_all() const {
 }
 
 PoseGate::PoseGate(const std::vector<std::uint32_t>& bodies, const PoseLimits& limits) : limits_(limits) {
-  for (const std::uint32_t body : bodies) tracks_[body];
+  CourseLimits course;
+  course.spacing = limits.spacing;
+  course.silence = limits.silence;
+  for (const std::uint32_t body : bodies) tracks_.try_emplace(body, course);
 }
 
-std::optional<PoseFault> PoseGate::check(BodyPose& pose, std::uint32_t sender, Clock::time_point now) {
+std::optional<PoseFault> PoseGate::check(BodyPose& pose, const PoseSender& sender, Clock::time_point now) {
+  contradiction_.reset();
   const auto fault = find_fault(pose, sender, now);
   if (fault) return refuse(*fault);
   pose.orientation.normalize();
-  tracks_[pose.body] = {sender, pose.time, now};
+  Track& track = tracks_.at(pose.body);
+  const bool restart = sender != track.sender || pose.time <= track.time;
+  if (!track.course.take(pose, restart, now)) return refuse(PoseFault::kLeaps);
+  contradiction_ = track.course.contradiction();
+  if (contradiction_) ++counters_.corrected;
+  track.sender = sender;
+  track.time = pose.time;
+  track.heard = now;
   ++counters_.accepted;
   return std::nullopt;
 }
 
-std::optional<PoseFault> PoseGate::find_fault(const BodyPose& pose, std::uint32_t sender, Clock::time_point now) const {
+PoseSender PoseGate::driver_of(std::uint32_t body) const {
+  const auto track = tracks_.find(body);
+  return track == tracks_.end() ? PoseSender{} : track->second.sender;
+}
+
+std::optional<PoseFault> PoseGate::find_fault(const BodyPose& pose, const PoseSender& sender,
+                                              Clock::time_point now) const {
   const auto track = tracks_.find(pose.body);
   if (track == tracks_.end()) return PoseFault::kUnknownBody;
   if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite() || !pose.velocity.allFinite() ||

@@ -1,12 +1,15 @@
 #include "transport/pose_receiver.hpp"
 
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <deque>
 #include <map>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <unordered_map>
 #include <utility>
 
 #include "pelagos_dds/entities.hpp"
@@ -21,6 +24,9 @@ namespace {
 constexpr auto kPollInterval = std::chrono::milliseconds(500);
 // Between two rounds, so that a flood is taken in batches: it adds this much to a pose's delay at most.
 constexpr auto kBatchInterval = std::chrono::milliseconds(1);
+
+/// Writers whose participant is remembered.
+constexpr std::size_t kMostWriters = 1024;
 
 /// Log lines of each kind of fault in ten seconds.
 constexpr int kLinesPerFault = 2;
@@ -47,7 +53,7 @@ class PoseReceiver::Implementation {
     waitset_.attach(own_ship_);
     waitset_.attach(others_);
     waitset_.attach(geodetic_);
-    for (std::size_t fault = 0; fault < kPoseFaults; ++fault) fault_logs_.emplace_back(log, kLinesPerFault);
+    for (std::size_t fault = 0; fault <= kPoseFaults; ++fault) fault_logs_.emplace_back(log, kLinesPerFault);
     thread_ = std::thread([this] { dispatch(); });
   }
 
@@ -73,17 +79,12 @@ class PoseReceiver::Implementation {
 
  private:
   void dispatch() {
-    const auto accept = [this](const pelagos_PoseV1& sample) { accept_pose(wire::from_wire(sample), sample.sender); };
-    const auto accept_geodetic = [this](const pelagos_GeodeticPoseV1& sample) {
-      const GeodeticPose pose = wire::from_wire(sample);
-      is_place(pose) ? accept_pose(plane_.to_world(pose), sample.sender) : refuse_place(pose, sample.sender);
-    };
     while (!stop_) {
       waitset_.wait(kPollInterval);
       try {
-        own_ship_.take_all<pelagos_PoseV1>(accept);
-        others_.take_all<pelagos_PoseV1>(accept);
-        geodetic_.take_all<pelagos_GeodeticPoseV1>(accept_geodetic);
+        take_poses(own_ship_);
+        take_poses(others_);
+        take_geodetic_poses();
       } catch (const std::exception& error) {  // out of memory: this round's poses are lost, the next may do
         log_.write(std::string("receiving poses failed: ") + error.what());
       }
@@ -91,33 +92,73 @@ class PoseReceiver::Implementation {
     }
   }
 
-  void accept_pose(BodyPose pose, std::uint32_t sender) {
+  void take_poses(const DdsReader& reader) {
+    reader.take_all<pelagos_PoseV1>([&](const pelagos_PoseV1& sample, const dds_sample_info_t& info) {
+      accept_pose(wire::from_wire(sample), {sample.sender, participant_of(reader, info.publication_handle)});
+    });
+  }
+
+  void take_geodetic_poses() {
+    geodetic_.take_all<pelagos_GeodeticPoseV1>(
+        [&](const pelagos_GeodeticPoseV1& sample, const dds_sample_info_t& info) {
+          const GeodeticPose pose = wire::from_wire(sample);
+          const PoseSender sender{sample.sender, participant_of(geodetic_, info.publication_handle)};
+          is_place(pose) ? accept_pose(plane_.to_world(pose), sender) : refuse_place(pose, sender);
+        });
+  }
+
+  std::uint64_t participant_of(const DdsReader& reader, std::uint64_t writer) {
+    if (const auto known = participants_.find(writer); known != participants_.end()) return known->second;
+    if (participants_.size() >= kMostWriters) participants_.clear();
+    return participants_[writer] = reader.participant_of(writer);
+  }
+
+  void accept_pose(BodyPose pose, const PoseSender& sender) {
     const auto now = PoseGate::Clock::now();
     std::optional<PoseFault> fault;
+    std::optional<CourseContradiction> contradiction;
+    PoseSender driver;
     {
       const std::lock_guard lock(mutex_);
       fault = gate_.check(pose, sender, now);
-      if (!fault) newest_[pose.body] = {pose, sender, now};
+      contradiction = gate_.contradiction();
+      driver = gate_.driver_of(pose.body);
+      if (!fault) newest_[pose.body] = {pose, sender.number, now};
     }
-    if (fault) log_fault(*fault, pose.body, sender);
+    if (fault) log_fault(*fault, pose.body, sender, driver);
+    if (contradiction) log_contradiction(*contradiction, pose.body, sender);
   }
 
-  void refuse_place(const GeodeticPose& pose, std::uint32_t sender) {
+  void refuse_place(const GeodeticPose& pose, const PoseSender& sender) {
     {
       const std::lock_guard lock(mutex_);
       gate_.refuse(PoseFault::kNoPlace);
     }
-    log_fault(PoseFault::kNoPlace, pose.body, sender);
+    log_fault(PoseFault::kNoPlace, pose.body, sender, sender);
   }
 
-  void log_fault(PoseFault fault, std::uint32_t body, std::uint32_t sender) {
-    fault_logs_[static_cast<std::size_t>(fault)].write("pose of body " + std::to_string(body) + " from sender " +
-                                                       std::to_string(sender) +
-                                                       " refused: " + std::string(describe(fault)));
+  void log_fault(PoseFault fault, std::uint32_t body, const PoseSender& sender, const PoseSender& driver) {
+    std::string text = "pose of body " + std::to_string(body) + " from sender " + std::to_string(sender.number) +
+                       " refused: " + std::string(describe(fault));
+    if (fault == PoseFault::kSecondSender)
+      text += driver.number == sender.number ? ": another program that sends as " + std::to_string(driver.number)
+                                             : ": sender " + std::to_string(driver.number);
+    fault_logs_[static_cast<std::size_t>(fault)].write(text);
+  }
+
+  void log_contradiction(const CourseContradiction& found, std::uint32_t body, const PoseSender& sender) {
+    const char* unit = found.turning ? "rad/s" : "m/s";
+    std::array<char, 240> text{};
+    std::snprintf(
+        text.data(), text.size(),
+        "pose of body %u from sender %u: the %s %.3g %s contradicts its %s, which give %.3g %s; these are used", body,
+        sender.number, found.turning ? "angular rate" : "velocity", found.sent, unit,
+        found.turning ? "orientations" : "places", found.by_places, unit);
+    fault_logs_[kPoseFaults].write(text.data());
   }
 
   RateLimitedLog log_;
-  std::deque<RateLimitedLog> fault_logs_;  // by PoseFault: one kind of bad pose must not hide another
+  std::deque<RateLimitedLog> fault_logs_;  // by PoseFault, then contradictions: one kind must not hide another
   LocalPlane plane_;
   std::shared_ptr<DdsParticipant> participant_;
   DdsReader own_ship_;
@@ -125,6 +166,7 @@ class PoseReceiver::Implementation {
   DdsReader geodetic_;
   DdsWaitSet waitset_;
   std::atomic<bool> stop_{false};
+  std::unordered_map<std::uint64_t, std::uint64_t> participants_;  // by writer; the receiver's thread only
 
   mutable std::mutex mutex_;  // guards what follows; held for one pose at a time
   PoseGate gate_;

@@ -1,9 +1,14 @@
 #include "transport/probe_receiver.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "pelagos_dds/entities.hpp"
+#include "text/characters.hpp"
 #include "wire/convert.hpp"
 #include "wire/topics.hpp"
 
@@ -13,42 +18,106 @@ namespace {
 
 constexpr int kRounds = 8;  // of 32 samples: the simulation waits meanwhile
 
-std::string fault_of(const pelagos_ProbeRequestV1& sample) {
-  if (sample.probe == 0) return "probe is 0; allowed: 1 or more";
-  const pelagos_Vector3& x = sample.position;
-  if (!sample.remove && !std::isfinite(x.x + x.y + x.z)) return "position is not finite";
+/// A character that moves what is written after it, or is none.
+bool is_unfit_for_names(const Character& c) {
+  const auto within = [&](char32_t first, char32_t last) { return c.code >= first && c.code <= last; };
+  return !c.valid || c.code < 0x20 || within(0x7f, 0x9f) || within(0x2028, 0x202e) || within(0x2066, 0x2069);
+}
+
+std::string fault_of_name(std::string_view name) {
+  for (std::size_t at = 0; at < name.size();) {
+    const Character character = character_at(name, at);
+    if (is_unfit_for_names(character))
+      return "name has at byte " + std::to_string(at + 1) + " " + describe_character(character) +
+             "; allowed: up to 64 bytes of UTF-8, none of them a control character";
+    at += character.bytes;
+  }
   return {};
 }
+
+std::string fault_of(const pelagos_ProbeRequestV1& sample) {
+  if (sample.probe == 0) return "probe is 0; allowed: 1 or more";
+  if (sample.remove) return {};
+  const pelagos_Vector3& x = sample.position;
+  if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z)) return "position is not finite";
+  return fault_of_name(sample.name);
+}
+
+/// So many a second, with some at once.
+class Budget {
+ public:
+  using Clock = std::chrono::steady_clock;
+  Budget(double burst, double per_second) : burst_(burst), per_second_(per_second), left_(burst) {}
+  void refill(Clock::time_point now) {
+    left_ = std::min(burst_, left_ + per_second_ * std::chrono::duration<double>(now - refilled_).count());
+    refilled_ = now;
+  }
+  [[nodiscard]] bool any() const { return left_ >= 1.0; }
+  void spend() { left_ -= 1.0; }
+
+ private:
+  double burst_, per_second_, left_;
+  Clock::time_point refilled_ = Clock::now();
+};
 
 }  // namespace
 
 class ProbeReceiver::Implementation {
  public:
-  explicit Implementation(std::shared_ptr<DdsParticipant> participant)
-      : participant_(std::move(participant)), reader_(*participant_, topics::probe_request()) {}
+  Implementation(std::shared_ptr<DdsParticipant> participant, const ProbeLimits& limits)
+      : limits_(limits),
+        all_(limits.all_burst, limits.all_per_second),
+        participant_(std::move(participant)),
+        reader_(*participant_, topics::probe_request()) {}
 
-  void take(std::vector<ProbeRequest>& requests) const {
+  void take(std::vector<ProbeRequest>& requests) {
     requests.clear();
     reader_.take_all<pelagos_ProbeRequestV1>(
         [&](const pelagos_ProbeRequestV1& sample) {
+          if (!afford(sample.sender)) return;
           ProbeRequest& request = requests.emplace_back();
           request.sender = sample.sender;
           request.fault = fault_of(sample);
+          const bool nameless = !fault_of_name(sample.name).empty();
           request.command =
               sample.remove ? Command(RemoveProbe{sample.probe}) : Command(SetProbe{wire::from_wire(sample)});
+          if (auto* set = std::get_if<SetProbe>(&request.command); set != nullptr && nameless)
+            set->probe.name = "probe " + std::to_string(sample.probe);  // it is shown with the refusal
         },
         kRounds);
   }
 
+  [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
+
  private:
+  bool afford(std::uint32_t sender) {
+    const auto now = Budget::Clock::now();
+    if (!senders_.contains(sender) && senders_.size() >= limits_.senders) sender = 0;
+    Budget& own = senders_.try_emplace(sender, limits_.burst, limits_.per_second).first->second;
+    own.refill(now);
+    all_.refill(now);
+    if (!own.any() || !all_.any()) {
+      ++dropped_;
+      return false;
+    }
+    own.spend();
+    all_.spend();
+    return true;
+  }
+
+  ProbeLimits limits_;
+  Budget all_;
+  std::unordered_map<std::uint32_t, Budget> senders_;
+  std::uint64_t dropped_ = 0;
   std::shared_ptr<DdsParticipant> participant_;
   DdsReader reader_;
 };
 
-ProbeReceiver::ProbeReceiver(const std::shared_ptr<DdsParticipant>& participant)
-    : implementation_(std::make_unique<Implementation>(participant)) {}
+ProbeReceiver::ProbeReceiver(const std::shared_ptr<DdsParticipant>& participant, const ProbeLimits& limits)
+    : implementation_(std::make_unique<Implementation>(participant, limits)) {}
 ProbeReceiver::~ProbeReceiver() = default;
 
 void ProbeReceiver::take(std::vector<ProbeRequest>& requests) { implementation_->take(requests); }
+std::uint64_t ProbeReceiver::dropped() const { return implementation_->dropped(); }
 
 }  // namespace pelagos
