@@ -7,6 +7,7 @@
 #include <fstream>
 #include <limits>
 
+#include "places.hpp"
 #include "rigid/triangle_mesh.hpp"
 #include "test_meshes.hpp"
 
@@ -166,6 +167,72 @@ TEST(MeshFile, ReadsWhatLiesBesideTheFileAndNothingElse) {
   EXPECT_THAT(read_mesh(linked.path()).faults, testing::ElementsAre(HasSubstr("link.bin; allowed")));
   const TemporaryFile missing("missing.gltf", gltf_of_box("no_such_file.bin"));
   EXPECT_THAT(read_mesh(missing.path()).faults, SizeIs(1));
+}
+
+TEST(MeshFile, ReadsPolygonsWithCornersInTheMiddleOfEdges) {
+  const TemporaryFile slab("slab.obj",
+                           "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 2 0 1\nv 2 1 1\nv 0 1 1\n"
+                           "f 5 4 3 2 1\nf 6 7 8 9 10\nf 1 2 7 6\nf 2 3 8 7\nf 3 4 9 8\nf 4 5 10 9\nf 5 1 6 10\n");
+  const MeshFile file = read_mesh(slab.path());
+  ASSERT_THAT(file.faults, IsEmpty()) << file.faults.front();
+  EXPECT_NEAR(mesh_volume(file.mesh), 2.0, 1e-12);
+}
+
+/// A box whose side y = 0 has vertices on the edge at its foot, which the bottom knows nothing of: flat triangles
+/// between close the gap, as programs write them.
+std::string box_with_flat_triangles(int between) {
+  std::string text = obj_of(make_box({0, 0, 0}, {3, 1, 1}));
+  const std::string side = "f 1 2 5\n";  // the triangle above the foot
+  text.erase(text.find(side), side.size());
+  std::string last = "1";
+  for (int n = 1; n <= between; ++n) {
+    const std::string here = std::to_string(8 + n);
+    text += "v " + std::to_string(3.0 * n / (between + 1)) + " 0 0\n" + "f " + last + " " + here + " 5\n";
+    text += "f " + here + " " + last + " 2\n";  // flat
+    last = here;
+  }
+  return text + "f " + last + " 2 5\n";
+}
+
+TEST(MeshFile, MendsTrianglesWithoutAreaThatCloseGapsWithoutWidth) {
+  for (const int between : {1, 2, 5}) {
+    const TemporaryFile box("flat.obj", box_with_flat_triangles(between));
+    const MeshFile file = read_mesh(box.path());
+    ASSERT_THAT(file.faults, IsEmpty()) << between << " vertices: " << file.faults.front();
+    EXPECT_NEAR(mesh_volume(file.mesh), 3.0, 1e-12);
+    EXPECT_EQ(file.mesh.triangles.size(), file.origin.part.size());
+  }
+  const TemporaryFile alone("alone.obj",
+                            obj_of(make_box({0, 0, 0}, {1, 1, 1})) + "v 2 0 0\nv 3 0 0\nv 4 0 0\nf 9 10 11\n");
+  EXPECT_THAT(read_mesh(alone.path()).faults, Contains(HasSubstr("the face at line 24 at (2, 0, 0) m has no area")));
+}
+
+TEST(MeshFile, TheSizeIsThatOfTheTriangles) {
+  const TemporaryFile box(
+      "far.obj", "v 1e9 0 0\n" + [] {
+        std::string text;  // all faces counted back from the last vertex
+        for (const char* v : {"0 0 0", "1 0 0", "0 1 0", "0 0 1"}) text += std::string("v ") + v + "\n";
+        return text + "f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n";
+      }());
+  const MeshFile file = read_mesh(box.path());
+  ASSERT_THAT(file.faults, IsEmpty()) << "a vertex without a face is no part of the mesh: " << file.faults.front();
+  EXPECT_NEAR(mesh_volume(file.mesh), 1.0 / 6.0, 1e-12);
+}
+
+TEST(MeshFile, ReadsTheShippedHullsAsTheyAre) {
+  struct Hull {
+    const char* name;
+    std::size_t vertices, triangles;
+    double volume;  // m^3, its parts added up
+  };
+  for (const Hull& hull : {Hull{"coaster", 1455, 2906, 1168.4}, Hull{"tanker", 1695, 3386, 3268.4},
+                           Hull{"lighthouse", 1778, 3552, 1951.05}}) {
+    const MeshFile file = read_mesh(test::source_path("assets/meshes/") + hull.name + "_hull.obj");
+    ASSERT_THAT(file.faults, IsEmpty()) << file.faults.front();
+    EXPECT_EQ(file.mesh.vertices.size(), hull.vertices) << hull.name;
+    EXPECT_EQ(file.mesh.triangles.size(), hull.triangles) << hull.name;
+    EXPECT_NEAR(mesh_volume(file.mesh), hull.volume, 1e-4 * hull.volume) << hull.name;
+  }
 }
 
 TEST(MeshFile, NamesTheEndingsThatItReads) {

@@ -32,7 +32,7 @@ TEST(TriangleMesh, NamesAnOpenEdge) {
   auto box = make_box({0, 0, 0}, {1, 1, 1});
   box.triangles.erase(box.triangles.begin() + 4);
   const auto faults = find_mesh_faults(box);
-  ASSERT_THAT(faults, SizeIs(3));  // the hole has three edges
+  ASSERT_THAT(faults, SizeIs(4));  // the hole has three edges; and what to do
   EXPECT_THAT(faults, Contains(HasSubstr("open edge: only triangle")));
   EXPECT_THAT(faults, Contains(HasSubstr("(0, 0, 0) m")));
 }

@@ -100,8 +100,9 @@ void report_water(const TriangleMesh& mesh, const MeshQuestions& questions, std:
 }
 
 /// Of a closed mesh without faults. @return whether it can be a body
-bool report_solid(const MeshFile& file, const MeshQuestions& questions, std::ostream& out) {
-  const MeshUnion united = unite_parts(file.mesh, file.origin);
+bool report_solid(const std::string& name, const MeshFile& file, const MeshQuestions& questions, std::ostream& out) {
+  MeshUnion united = unite_parts(file.mesh, file.origin);
+  for (std::string& fault : united.faults) fault.insert(0, name + ": ");  // as the server does
   if (report_faults(united.faults, out)) return false;
   line(out, "watertight", "yes, no faults");
   line(out, "parts", count_parts(united.parts));
@@ -135,8 +136,9 @@ bool report_mesh(const std::string& name, const MeshQuestions& questions, std::o
   line(out, "mesh", name);
   if (!file.mesh.triangles.empty() && finite) report_size(file.mesh, out);
   if (report_faults(file.faults, out)) return false;
+  for (const std::string& note : file.notes) line(out, "note", note);
   if (questions.options.kind == MeshKind::kClosed) {
-    if (!report_solid(file, questions, out)) return false;
+    if (!report_solid(name, file, questions, out)) return false;
   } else {
     line(out, "open, one-sided", "yes, no faults");
     report_cuts(file, {}, out);

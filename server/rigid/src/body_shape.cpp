@@ -153,6 +153,7 @@ BodyShape load_body_shape(const std::string& path, const MeshOptions& options, d
     return shape;
   }
   shape = make_body_shape(file.mesh, spacing, inset, options.kind, file.origin);
+  shape.notes.insert(shape.notes.begin(), file.notes.begin(), file.notes.end());
   for (std::vector<std::string>* lines : {&shape.faults, &shape.notes})
     for (std::string& line : *lines) line.insert(0, path + ": ");
   return shape;

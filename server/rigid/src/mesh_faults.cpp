@@ -4,6 +4,7 @@
 #include <span>
 #include <sstream>
 
+#include "flat_triangles.hpp"
 #include "mesh_edges.hpp"
 #include "rigid/mesh_union.hpp"
 #include "rigid/triangle_mesh.hpp"
@@ -14,7 +15,6 @@ namespace pelagos {
 namespace {
 
 constexpr double kFarthest = 1e6;      ///< m, of a coordinate
-constexpr double kLeastArea = 1e-12;   ///< of the size squared: less is no triangle
 constexpr double kLeastVolume = 1e-9;  ///< of the size cubed: a part with less is looked at more closely
 
 std::string text_of(const Eigen::Vector3d& point) {
@@ -53,7 +53,9 @@ void check_areas(const TriangleMesh& mesh, const MeshOrigin& origin, std::vector
   FaultList degenerate("degenerate triangle");
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     if (!(mesh.area_vector(t).norm() > least))
-      degenerate.add([&] { return origin.describe(t) + " at " + text_of(mesh.corner(t, 0)) + " has no area"; });
+      degenerate.add([&] {
+        return origin.describe(t) + " at " + text_of(mesh.corner(t, 0)) + " has no area: its corners lie on one line";
+      });
   degenerate.append_to(faults);
 }
 
@@ -75,6 +77,11 @@ void check_edges(const TriangleMesh& mesh, std::span<const EdgeUse> uses, MeshKi
       });
   });
   open.append_to(faults);
+  if (!open.empty())
+    faults.emplace_back(
+        "open edge: close the surface there. A mesh that is one side of something larger, as a sea bed is, may have "
+        "open "
+        "edges where its body is STATIC and says open: true (pelagos-mesh --open)");
   shared.append_to(faults);
 }
 

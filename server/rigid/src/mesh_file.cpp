@@ -2,6 +2,7 @@
 #include <cmath>
 #include <exception>
 
+#include "flat_triangles.hpp"
 #include "mesh_import/import_mesh.hpp"
 #include "rigid/triangle_mesh.hpp"
 
@@ -63,6 +64,7 @@ MeshFile read_checked(const std::string& path, const MeshOptions& options) {
     for (Eigen::Vector3d& vertex : file.mesh.vertices) vertex = turn * (options.scale * vertex);
     file.mesh = weld_parts(file.mesh, file.origin.part, kWeldPart * largest_coordinate(file.mesh));
     drop_collapsed(file);
+    mend_flat_triangles(file.mesh, file.origin);
     file.faults = find_mesh_faults(file.mesh, options.kind, file.origin);
     if (!file.faults.empty()) file.faults.insert(file.faults.end(), file.notes.begin(), file.notes.end());
   }

@@ -38,17 +38,6 @@ Eigen::AlignedBox3d place_of(const PlacedShape& body) {
   return place;
 }
 
-/// The faults of the mesh; with a hint where an open mesh may have been meant.
-void check_mesh(const PlacedShape& body, std::vector<std::string>& faults) {
-  bool has_rim = false;
-  for (const std::string& fault : body.shape->faults) {
-    faults.push_back(fault);
-    has_rim = has_rim || fault.find("open edge") != std::string::npos;
-  }
-  if (has_rim && body.settings->drive == BodyDrive::kStatic)
-    faults.emplace_back("if the mesh is one side of something larger, as a sea bed is, say open: true");
-}
-
 void check_in_tank(const Scene& scene, double support_radius, const PlacedShape& body,
                    std::vector<std::string>& faults) {
   const auto& samples = body.shape->samples;
@@ -167,8 +156,7 @@ bool is_within_reach(const Box& tank, const Eigen::Vector3d& world, double suppo
 std::vector<std::string> body_faults(const Scene& scene, double support_radius, std::span<const PlacedShape> bodies) {
   std::vector<std::string> all;
   for (const PlacedShape& body : bodies) {
-    std::vector<std::string> faults;
-    check_mesh(body, faults);
+    std::vector<std::string> faults = body.shape->faults;  // of the mesh
     if (faults.empty()) {
       check_mass(scene, body, faults);
       check_in_tank(scene, support_radius, body, faults);
