@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -209,6 +210,66 @@ TEST(MeshUnion, ManyTurnedBoxesEncloseWhatTheirWindingNumbersSay) {
   EXPECT_NEAR(sampled_volume(query, n), counted, 1e-4 * box) << "the union's own rays";
 }
 
+/// Boxes and cavities with corners on a lattice, so that faces, edges and corners of many of them lie on one another.
+class LatticeBoxes {
+ public:
+  explicit LatticeBoxes(std::uint64_t seed) : random_(seed) {
+    const int boxes = pick(2, 6), cavities = pick(0, 2);
+    for (int n = 0; n < boxes + cavities; ++n) add(n < boxes ? 1 : -1, n == 0);
+  }
+  [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
+  /// Of the cells that the winding number says are solid.
+  [[nodiscard]] double volume() const {
+    return static_cast<double>(std::count_if(winding_.begin(), winding_.end(), [](int w) { return w >= 1; }));
+  }
+  /// Whether a cavity reaches out of all boxes.
+  [[nodiscard]] bool bare() const {
+    for (std::size_t n = 0; n < winding_.size(); ++n)
+      if (winding_[n] < covered_[n] && covered_[n] == 0) return true;
+    return false;
+  }
+
+ private:
+  static constexpr int kCells = 4;
+  int pick(int low, int high) {
+    return low + static_cast<int>(random_.next() % static_cast<std::uint64_t>(high - low + 1));
+  }
+
+  void add(int sign, bool whole) {
+    Eigen::Vector3i low, high;
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = whole ? 0 : pick(0, kCells - 1);
+      high[axis] = whole ? kCells : pick(low[axis] + 1, kCells);
+    }
+    const TriangleMesh box = make_box(low.cast<double>(), high.cast<double>());
+    mesh_ = joined({mesh_, sign > 0 ? box : reversed(box)});
+    for (int n = 0; n < kCells * kCells * kCells; ++n) {
+      const Eigen::Array3i cell(n / (kCells * kCells), n / kCells % kCells, n % kCells);
+      if (!((cell >= low.array()).all() && (cell < high.array()).all())) continue;
+      winding_[static_cast<std::size_t>(n)] += sign;
+      covered_[static_cast<std::size_t>(n)] += sign > 0 ? 1 : 0;
+    }
+  }
+
+  SplitMix64 random_;
+  TriangleMesh mesh_;
+  std::vector<int> winding_ = std::vector<int>(kCells * kCells * kCells), covered_ = winding_;
+};
+
+TEST(MeshUnion, BoxesOnALatticeEncloseTheCellsOfTheirWindingNumbers) {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    const LatticeBoxes boxes(seed);
+    for (const bool welded : {false, true}) {  // into one part, whose edges several boxes share
+      const TriangleMesh mesh = welded ? weld_vertices(boxes.mesh(), 1e-6) : boxes.mesh();
+      const MeshUnion united = unite_parts(turned(mesh, Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized())));
+      EXPECT_EQ(united.faults.empty(), !boxes.bare()) << seed;
+      if (united.faults.empty()) {
+        EXPECT_NEAR(mesh_volume(united.mesh), boxes.volume(), 1e-6) << "seed " << seed << (welded ? ", welded" : "");
+      }
+    }
+  }
+}
+
 TEST(MeshUnion, Cavity) {
   const auto hull = make_box({-2, -1, -1}, {2, 1, 1}), hold = reversed(make_box({-1.5, -0.5, -0.5}, {1.5, 0.5, 0.5}));
   const std::vector<Brick> solid{{{-2, -1, -1}, {2, 1, 1}}, {{-1.5, -0.5, -0.5}, {1.5, 0.5, 0.5}, -1.0}};
@@ -293,6 +354,14 @@ TEST(MeshUnion, RefusesPartsThatFaceInwardsAndAreNoCavity) {
   EXPECT_THAT(find_mesh_faults(joined({hull, reversed(buoy)})), SizeIs(1)) << "a file with it is refused";
   EXPECT_THAT(unite_parts(joined({hull, make_box({3, 0, 0}, {4, 1, 0})})).faults,
               ElementsAre(HasSubstr("encloses nothing")));
+}
+
+TEST(MeshUnion, KeepsItsDigitsFarFromTheOrigin) {
+  const Eigen::Vector3d far(654321.0, -345678.0, 12.0);
+  const MeshUnion united =
+      unite_parts(turned(joined({make_box({-1, -1, -1}, {1, 1, 1}), make_box({0.5, -0.3, -0.4}, {2, 0.6, 0.8})}),
+                         Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()), far));
+  EXPECT_NEAR(mass_properties(united.mesh).volume, 8.0 + 1.08, 1e-7);  // coordinates are rounded to 1e-10 m
 }
 
 TEST(MeshUnion, LeavesDigitsThatDifferOutOfAccount) {

@@ -37,9 +37,10 @@ struct EdgePair {
 };
 
 /// Which triangles are joined at edges. Where an edge has two triangles, they are. Where it has more, as where parts
-/// touch, as many along as back, those are joined that have solid between them: going round the edge, each triangle
-/// at which the solid begins is joined to one at which it ends, the first to the first. So two cubes that touch along
-/// an edge stay two. Other edges join nothing.
+/// touch that were merged, as many along as back, each along is joined to one back. Any choice makes closed parts; this
+/// one makes parts whose own edges have two triangles: in the order of the mesh, which keeps parts apart that stand one
+/// after another; if some part then still has an edge with more, by the angles round the edge, where each triangle at
+/// which the solid begins is joined to one at which it ends. Other edges join nothing.
 [[nodiscard]] std::vector<EdgePair> pair_triangles(const TriangleMesh& mesh, std::span<const EdgeUse> uses);
 
 /// The connected parts of a mesh, numbered in the order of their first triangles.
