@@ -44,15 +44,18 @@ std::string describe_reach(const DdsReach& reach, const DdsSettings& settings) {
   if (!reach.beyond_loopback()) return {};
   std::string addresses;
   for (const std::string& address : reach.interfaces) addresses += (addresses.empty() ? "" : ", ") + address;
-  if (addresses.empty()) addresses = "any address of this one";
-  std::string advice = ". Keep that network inside the simulator, or use DDS Security (docs/wire.md)";
+  if (reach.everywhere)
+    addresses += addresses.empty() ? "any address of this one" : ", or any other address of this one,";
+  std::string advice = ". Keep that network inside the simulator (docs/wire.md)";
   if (!is_built_in(settings)) {
     const std::string origin =
         settings.config_file.empty() ? "CYCLONEDDS_URI names one" : "--dds-config " + settings.config_file;
     advice += "; without a DDS configuration (" + origin + ") only this machine can reach it";
   }
   return "every machine that reaches " + addresses +
-         " can send poses and requests for probes, and frames in this server's name; no password protects it" + advice;
+         " can send poses and requests for probes, and frames in this server's name; no password protects it unless "
+         "that configuration sets up DDS Security" +
+         advice;
 }
 
 std::optional<std::string> check_receive_buffer(const std::string& limit_file) {

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "control/endpoint.hpp"
 #include "monotonic_clock.hpp"
 #include "pacer.hpp"
 #include "pelagos_dds/log_sink.hpp"
@@ -91,7 +92,7 @@ ControlHooks Server::control_hooks() {
 
 void Server::open_links() {
   control_ = std::make_unique<ControlServer>(options_.control, control_hooks());
-  log_info(fmt::format("control: listening on {}:{}", options_.control.host, control_->port()));
+  log_info("control: listening on " + to_string(Endpoint{options_.control.host, control_->port()}));
 
   install_dds_log([](std::string_view line) { log_warning(line); });
   DdsSettings dds;

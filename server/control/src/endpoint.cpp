@@ -18,15 +18,15 @@ ip::address plain(const ip::address& address) {
   return ip::make_address_v4(ip::v4_mapped, address.to_v6());
 }
 
-/// The machine's own addresses beside loopback.
-std::string own_addresses() {
+/// The machine's own addresses beside loopback that a link at 0.0.0.0 or :: can be reached by.
+std::string own_addresses(bool v6_too) {
   ifaddrs* first = nullptr;
   if (::getifaddrs(&first) != 0) return {};
   std::string text;
   for (const ifaddrs* entry = first; entry != nullptr; entry = entry->ifa_next) {
     if (entry->ifa_addr == nullptr || (entry->ifa_flags & IFF_LOOPBACK) != 0) continue;
     const bool v4 = entry->ifa_addr->sa_family == AF_INET;
-    if (!v4 && entry->ifa_addr->sa_family != AF_INET6) continue;
+    if (!v4 && !(v6_too && entry->ifa_addr->sa_family == AF_INET6)) continue;
     char host[NI_MAXHOST] = {};
     const socklen_t size = v4 ? sizeof(sockaddr_in) : sizeof(sockaddr_in6);
     if (::getnameinfo(entry->ifa_addr, size, host, sizeof host, nullptr, 0, NI_NUMERICHOST) != 0) continue;
@@ -80,7 +80,7 @@ std::string describe_reach(const std::string& host) {
   boost::system::error_code error;
   const ip::address address = plain(ip::make_address(host == "localhost" ? "127.0.0.1" : host, error));
   if (error || address.is_loopback()) return {};
-  const std::string own = address.is_unspecified() ? own_addresses() : host;
+  const std::string own = address.is_unspecified() ? own_addresses(address.is_v6()) : host;
   std::string text = "every machine that reaches " + (own.empty() ? "any address of this one" : own);
   if (address.is_unspecified() && !own.empty()) text += " (all addresses of this one)";
   return text +
