@@ -15,6 +15,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr double kFastest = 1.0 / 60.0;  // s between frames
 constexpr double kStatusWait = 2.0;      // s
+constexpr double kMeshWait = 20.0;       // s
 
 double seconds_between(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
@@ -45,6 +46,7 @@ class HeadlessRun {
 
  private:
   bool wait_for_server(const std::atomic<bool>& stop);
+  bool wait_for_meshes(const std::atomic<bool>& stop);
   bool knows_status();
   void give_up();
   void watch_pause();
@@ -68,7 +70,7 @@ bool HeadlessRun::wait_for_server(const std::atomic<bool>& stop) {
   std::string told;
   while (!stop) {
     view_.update();
-    if (view_.ready() && knows_status()) return true;
+    if (view_.ready() && knows_status()) return wait_for_meshes(stop);
     const double waited = seconds_between(start, Clock::now());
     if (waited > options_.wait) return view_.ready();
     const std::string text = awaited(source_, options_.domain);
@@ -79,6 +81,20 @@ bool HeadlessRun::wait_for_server(const std::atomic<bool>& stop) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   return false;
+}
+
+/// The first picture shows all bodies, unless their meshes take too long.
+bool HeadlessRun::wait_for_meshes(const std::atomic<bool>& stop) {
+  const auto start = Clock::now();
+  while (!stop && !view_.has_meshes()) {
+    if (seconds_between(start, Clock::now()) > kMeshWait) {
+      std::fprintf(stderr, "pelagos-viewer: the meshes are not all read after %g s: drawing without\n", kMeshWait);
+      return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    view_.update();
+  }
+  return !stop;
 }
 
 /// Whether the sea is paused must be known before the first picture; a server says so every second. For old servers it

@@ -7,6 +7,12 @@ namespace pelagos {
 namespace {
 
 constexpr double kLongestExtrapolation = 0.2;  // s
+constexpr std::chrono::milliseconds kSurfaceWait{1000};
+
+bool has_all_surfaces(const SceneInfo& scene) {
+  return std::all_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const BodyInfo& body) { return body.surface || parse_wire_name(body.mesh_file).primitive; });
+}
 
 }  // namespace
 
@@ -20,7 +26,7 @@ Presentation::Presentation(FrameSource& source, Channel channel, const RenderSet
     : source_(source),
       channel_(std::move(channel)),
       settings_(settings),
-      mesh_folder_(std::move(mesh_folder)),
+      loader_(std::move(mesh_folder)),
       renderer_(std::make_unique<Renderer>(settings)) {}
 
 void Presentation::take_scene() {
@@ -29,13 +35,29 @@ void Presentation::take_scene() {
   const std::optional<SceneInfo> scene = source_.scene_info();
   if (!scene) return;
   scene_ = *scene;
+  if (scene_revision_ == 0) scene_came_ = std::chrono::steady_clock::now();
   scene_revision_ = revision;
-  for (const std::string& fault : renderer_->set_scene(scene_, mesh_folder_))
-    std::fprintf(stderr, "pelagos-viewer: %s\n", fault.c_str());
+  meshes_wanted_ = false;
+  renderer_->set_scene(scene_);
+}
+
+void Presentation::take_meshes() {
+  // The bodies' surfaces come one by one, mostly before the scene; old servers send none.
+  const bool waited = std::chrono::steady_clock::now() - scene_came_ > kSurfaceWait;
+  if (scene_revision_ != 0 && !meshes_wanted_ && (waited || has_all_surfaces(scene_))) {
+    loader_.want(scene_.bodies);
+    meshes_wanted_ = true;
+  }
+  for (const std::string& note : loader_.take_notes()) std::fprintf(stderr, "pelagos-viewer: %s\n", note.c_str());
+  const std::uint64_t revision = loader_.revision();
+  if (revision == mesh_revision_) return;
+  mesh_revision_ = revision;
+  renderer_->set_meshes(loader_.meshes());
 }
 
 bool Presentation::update() {
   take_scene();
+  take_meshes();
   std::unique_ptr<OceanFrame> newest = source_.take_newest();
   if (!newest) return false;
   source_.recycle(std::move(frame_));
@@ -88,8 +110,8 @@ void Presentation::resize(int width, int height) {
   settings_.width = width;
   settings_.height = height;
   renderer_ = std::make_unique<Renderer>(settings_);
-  scene_revision_ = 0;
-  take_scene();
+  renderer_->set_scene(scene_);
+  renderer_->set_meshes(loader_.meshes());
 }
 
 }  // namespace pelagos

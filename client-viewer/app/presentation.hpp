@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -22,6 +23,8 @@ class Presentation {
   bool update();
   /// A scene and a frame have come, so that draw() has something to show.
   [[nodiscard]] bool ready() const { return frame_ != nullptr && scene_revision_ != 0; }
+  /// The meshes of the scene's bodies have been read, or cannot be.
+  [[nodiscard]] bool has_meshes() const { return meshes_wanted_ && loader_.done(); }
   /// Draws with the renderer. Needs ready().
   void draw();
   /// Another size of picture; the next draw uses it.
@@ -35,17 +38,21 @@ class Presentation {
 
  private:
   void take_scene();
+  void take_meshes();
   [[nodiscard]] double time_since_frame() const;
   [[nodiscard]] Camera camera_or_stand_in(std::span<const BodyState> bodies);
 
   FrameSource& source_;
   Channel channel_;
   RenderSettings settings_;
-  std::filesystem::path mesh_folder_;
+  MeshLoader loader_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<OceanFrame> frame_;
   SceneInfo scene_;
   std::uint64_t scene_revision_ = 0;
+  std::chrono::steady_clock::time_point scene_came_{};
+  bool meshes_wanted_ = false;
+  std::uint64_t mesh_revision_ = 0;  ///< of what the renderer has
   bool warned_about_mount_ = false;
 };
 

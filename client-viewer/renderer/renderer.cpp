@@ -145,7 +145,8 @@ struct Renderer::State {
   std::unique_ptr<SlickMap> slick_map;  ///< from the first slick on
   SlickPlace slick_place;               ///< of the map as drawn
   SceneInfo scene;
-  std::map<std::uint32_t, std::unique_ptr<Mesh>> meshes;
+  std::map<std::shared_ptr<const MeshData>, std::unique_ptr<Mesh>> uploaded;
+  std::map<std::uint32_t, const Mesh*> meshes;  ///< by body, of `uploaded`
   std::vector<DrawnParticle> water, drops;
   PassTimes times = {};
 };
@@ -176,8 +177,8 @@ std::vector<PlacedMesh> Renderer::State::place_bodies(const Camera& camera, cons
   for (const BodyState& body : moment.bodies) {
     const auto mesh = meshes.find(body.body);
     if (mesh == meshes.end()) continue;
-    placed.push_back({mesh->second.get(), (body.position - camera.eye).cast<float>(),
-                      body.orientation.toRotationMatrix().cast<float>()});
+    placed.push_back(
+        {mesh->second, (body.position - camera.eye).cast<float>(), body.orientation.toRotationMatrix().cast<float>()});
   }
   return placed;
 }
@@ -253,18 +254,20 @@ Renderer::Renderer(const RenderSettings& settings) {
 
 Renderer::~Renderer() = default;
 
-std::vector<std::string> Renderer::set_scene(const SceneInfo& scene, const std::filesystem::path& mesh_folder) {
-  std::vector<std::string> faults;
-  state_->scene = scene;
+void Renderer::set_scene(const SceneInfo& scene) { state_->scene = scene; }
+
+void Renderer::set_meshes(const BodyMeshes& meshes) {
+  std::map<std::shared_ptr<const MeshData>, std::unique_ptr<Mesh>> uploaded;
   state_->meshes.clear();
-  for (const BodyInfo& body : scene.bodies) {
-    try {
-      state_->meshes[body.id] = std::make_unique<Mesh>(load_body_mesh(mesh_folder, body.mesh_file, body.mesh_scale));
-    } catch (const GraphicsError& error) {
-      faults.push_back("body " + std::to_string(body.id) + ": " + error.what());
+  for (const auto& [body, data] : meshes) {
+    std::unique_ptr<Mesh>& mesh = uploaded[data];
+    if (!mesh) {
+      const auto known = state_->uploaded.find(data);
+      mesh = known != state_->uploaded.end() ? std::move(known->second) : std::make_unique<Mesh>(*data);
     }
+    state_->meshes[body] = mesh.get();
   }
-  return faults;
+  state_->uploaded = std::move(uploaded);
 }
 
 void Renderer::draw(const Camera& camera, const SeaMoment& moment) {

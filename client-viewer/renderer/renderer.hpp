@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "channels/camera.hpp"
+#include "meshes/mesh_loader.hpp"
 #include "packing/surface_particle.hpp"
 #include "renderer/picture.hpp"
 #include "renderer/slick_map.hpp"
@@ -52,9 +53,11 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Takes over far sea, patch and meshes. Returns one line for each mesh that could not be found or read; such bodies
-  /// are not drawn.
-  [[nodiscard]] std::vector<std::string> set_scene(const SceneInfo& scene, const std::filesystem::path& mesh_folder);
+  /// Takes over far sea and patch.
+  void set_scene(const SceneInfo& scene);
+  /// The bodies' meshes from now on; bodies without one are not drawn. What is on the graphics card already stays
+  /// there.
+  void set_meshes(const BodyMeshes& meshes);
 
   void draw(const Camera& camera, const SeaMoment& moment);
 

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -7,9 +8,12 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <thread>
 
 #include "../support/places.hpp"
-#include "renderer/mesh.hpp"
+#include "meshes/body_mesh.hpp"
+#include "meshes/mesh_loader.hpp"
+#include "shapes/file_digest.hpp"
 
 namespace pelagos {
 namespace {
@@ -60,12 +64,12 @@ TEST(CoasterHull, IsClosedAndFacesOutward) {
   EXPECT_LT(volume, 36 * 9 * 6.5);
 }
 
+MeshData mesh_of(const char* name) { return load_body_mesh(kMeshes, {1, "", name, 1.0}).data; }
+
 TEST(CoasterMesh, IsDrawnInPlaceOfItsHull) {
-  EXPECT_EQ(drawn_mesh_file(kMeshes, "coaster_hull.obj"), kMeshes / "coaster.obj");
-  EXPECT_EQ(drawn_mesh_file(kMeshes, "/elsewhere/on/the/server/coaster_hull.obj"), kMeshes / "coaster.obj");
-  EXPECT_EQ(drawn_mesh_file(kMeshes, "coaster.obj"), kMeshes / "coaster.obj");
-  EXPECT_TRUE(drawn_mesh_file(kMeshes, "no_such_hull.obj").empty());
-  EXPECT_TRUE(drawn_mesh_file(kMeshes, "").empty());
+  EXPECT_EQ(outfitted_file(kMeshes / "coaster_hull.obj"), kMeshes / "coaster.obj");
+  EXPECT_EQ(outfitted_file(kMeshes / "coaster.obj"), kMeshes / "coaster.obj");
+  EXPECT_EQ(outfitted_file(kMeshes / "no_such_hull.obj"), kMeshes / "no_such_hull.obj");
 }
 
 TEST(CoasterMesh, HasItsSizeAndColours) {
@@ -81,13 +85,13 @@ TEST(CoasterMesh, HasItsSizeAndColours) {
 }
 
 TEST(BodyMesh, DrawsPrimitivesByTheirNames) {
-  const MeshData box = load_body_mesh(kMeshes, "primitive:box:2x1x0.5", 1.0);
+  const MeshData box = mesh_of("primitive:box:2x1x0.5");
   EXPECT_EQ(box.indices.size(), 36u);
   EXPECT_EQ(box.low, Eigen::Vector3f(-1.0F, -0.5F, -0.25F));
   EXPECT_EQ(box.high, Eigen::Vector3f(1.0F, 0.5F, 0.25F));
   for (const auto& v : box.vertices)  // flat faces: each normal along one axis
     EXPECT_NEAR(std::max({std::abs(v.normal[0]), std::abs(v.normal[1]), std::abs(v.normal[2])}), 1.0F, 1e-6F);
-  const MeshData ball = load_body_mesh(kMeshes, "primitive:sphere:2", 1.0);
+  const MeshData ball = mesh_of("primitive:sphere:2");
   for (const auto& v : ball.vertices) {  // smooth: normals along the radius, within half a facet (2.8 degrees)
     const Eigen::Vector3f n(v.normal), p(v.position);
     EXPECT_GT(n.dot(p.normalized()), 0.9985F);
@@ -96,7 +100,7 @@ TEST(BodyMesh, DrawsPrimitivesByTheirNames) {
 
 TEST(BodyMesh, LargePrimitivesAreOfConcreteSmallOnesYellow) {
   const auto redness = [](const char* name) {
-    const MeshData body = load_body_mesh(kMeshes, name, 1.0);
+    const MeshData body = mesh_of(name);
     const auto& colour = body.vertices.at(0).colour;
     return colour[0] / colour[2];
   };
@@ -105,23 +109,195 @@ TEST(BodyMesh, LargePrimitivesAreOfConcreteSmallOnesYellow) {
 }
 
 TEST(BodyMesh, TurnsFilesThatAreYUp) {
-  const MeshData as_is = load_body_mesh(kMeshes, "coaster_hull.obj", 1.0);
-  const MeshData turned = load_body_mesh(kMeshes, "y-up:coaster_hull.obj", 1.0);
+  const MeshData as_is = mesh_of("coaster_hull.obj");
+  const MeshData turned = mesh_of("y-up:coaster_hull.obj");
   EXPECT_EQ(turned.high, Eigen::Vector3f(as_is.high.z(), as_is.high.x(), as_is.high.y()));
   EXPECT_EQ(turned.low, Eigen::Vector3f(as_is.low.z(), as_is.low.x(), as_is.low.y()));
 }
 
 TEST(BodyMesh, SaysWhatIsMissing) {
-  EXPECT_THROW((void)load_body_mesh(kMeshes, "ghost.obj", 1.0), GraphicsError);
-  EXPECT_THROW((void)load_body_mesh(kMeshes, "primitive:sphere:-1", 1.0), GraphicsError);
+  EXPECT_THROW((void)mesh_of("ghost.obj"), MeshError);
+  EXPECT_THROW((void)mesh_of("primitive:sphere:-1"), MeshError);
 }
 
 TEST(Mesh, RefusesWhatItCannotRead) {
-  EXPECT_THROW((void)load_mesh(kMeshes / "none.obj", 1.0), GraphicsError);
+  EXPECT_THROW((void)load_mesh(kMeshes / "none.obj", 1.0), MeshError);
   const std::filesystem::path empty = std::filesystem::path(testing::TempDir()) / "empty.obj";
   std::ofstream(empty) << "# nothing\n";
-  EXPECT_THROW((void)load_mesh(empty, 1.0), GraphicsError);
+  EXPECT_THROW((void)load_mesh(empty, 1.0), MeshError);
   std::filesystem::remove(empty);
+}
+
+/// A folder for meshes, empty at first.
+class MeshFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// A tetrahedron with legs of that length.
+  static std::string tetrahedron(double length) {
+    std::ostringstream text;
+    text << "v 0 0 0\nv " << length << " 0 0\nv 0 " << length << " 0\nv 0 0 " << length
+         << "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+    return text.str();
+  }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+  [[nodiscard]] std::shared_ptr<BodySurface> surface_of(const std::string& name, float length) const {
+    auto surface = std::make_shared<BodySurface>();
+    surface->file_digest = file_digest(folder_ / name);
+    surface->high.setConstant(static_cast<double>(length));
+    surface->vertices = {{0, 0, 0}, {length, 0, 0}, {0, length, 0}, {0, 0, length}};
+    surface->triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+    surface->triangle_count = 4;
+    return surface;
+  }
+
+  std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / ("meshes_" + std::to_string(getpid())) / "inner";
+};
+
+TEST_F(MeshFolder, TheServersFileIsDrawnAsItIs) {
+  write("ferry.obj", tetrahedron(4));
+  const BodyMesh mesh = load_body_mesh(folder_, {1, "", "ferry.obj", 1.0, surface_of("ferry.obj", 4)});
+  EXPECT_EQ(mesh.note, "");
+  EXPECT_EQ(mesh.data.high.x(), 4.0F);
+}
+
+TEST_F(MeshFolder, AFileOfTheSameNameThatIsAnotherIsNotDrawn) {
+  write("ferry.obj", tetrahedron(4));
+  const auto surface = surface_of("ferry.obj", 4);
+  write("ferry.obj", tetrahedron(64));
+  write("ferry_hull.obj", tetrahedron(64));
+  for (const char* name : {"ferry.obj", "ferry_hull.obj"}) {
+    const BodyMesh mesh = load_body_mesh(folder_, {1, "", name, 1.0, surface});
+    EXPECT_EQ(mesh.data.high.x(), 4.0F) << "the server's";
+    EXPECT_EQ(mesh.data.triangle_count(), 4U);
+    EXPECT_NE(mesh.note.find((folder_ / name).string()), std::string::npos) << mesh.note;
+    EXPECT_NE(mesh.note.find("64 x 64 x 64 m, the server's 4 x 4 x 4 m"), std::string::npos) << mesh.note;
+  }
+}
+
+TEST_F(MeshFolder, TheOutfittedShipNeedsTheServersHullBesideIt) {
+  write("ferry.obj", tetrahedron(70));
+  write("ferry_hull.obj", tetrahedron(64));
+  const auto surface = surface_of("ferry_hull.obj", 64);
+  EXPECT_EQ(load_body_mesh(folder_, {1, "", "ferry_hull.obj", 1.0, surface}).data.high.x(), 70.0F);
+  std::filesystem::remove(folder_ / "ferry_hull.obj");
+  EXPECT_EQ(load_body_mesh(folder_, {1, "", "ferry_hull.obj", 1.0, surface}).data.high.x(), 64.0F);
+}
+
+TEST_F(MeshFolder, WithoutTheFileTheServersShapeIsDrawnOrABox) {
+  auto surface = surface_of("none.obj", 4);
+  const BodyInfo body{1, "", "none.obj", 1.0, surface};
+  BodyMesh mesh = load_body_mesh(folder_, body);
+  EXPECT_EQ(mesh.data.triangle_count(), 4U);
+  EXPECT_NE(mesh.note.find("there is no mesh none.obj in " + folder_.string()), std::string::npos) << mesh.note;
+  surface->vertices.clear();
+  surface->triangles.clear();
+  surface->triangle_count = 700'000;
+  mesh = load_body_mesh(folder_, body);
+  EXPECT_EQ(mesh.data.triangle_count(), 12U);
+  EXPECT_EQ(mesh.data.low, Eigen::Vector3f::Zero());
+  EXPECT_EQ(mesh.data.high, Eigen::Vector3f(4, 4, 4));
+  EXPECT_NE(mesh.note.find("700000 triangles are too many to be sent"), std::string::npos) << mesh.note;
+}
+
+TEST_F(MeshFolder, NoNameLeadsOutOfTheFolder) {
+  std::ofstream(folder_.parent_path() / "secret.obj") << tetrahedron(1);
+  std::filesystem::create_symlink(folder_.parent_path() / "secret.obj", folder_ / "linked.obj");
+  std::filesystem::create_directory(folder_ / "folder.obj");
+  write("real.obj", tetrahedron(1));
+  std::filesystem::create_symlink("real.obj", folder_ / "other.obj");
+  for (const std::string& name :
+       {std::string("../secret.obj"), std::string(".."), std::string("."), std::string(), std::string("linked.obj"),
+        std::string("folder.obj"), (folder_.parent_path() / "secret.obj").string(), std::string(256, 'a'),
+        std::string(100'000, 'b'), std::string("\x1b]0;x\x07.obj"), std::string("/dev/zero")})
+    EXPECT_TRUE(find_mesh_file(folder_, name).empty()) << name.substr(0, 40);
+  EXPECT_EQ(find_mesh_file(folder_, "real.obj"), folder_ / "real.obj");
+  EXPECT_EQ(find_mesh_file(folder_, "other.obj"), folder_ / "other.obj") << "a link within";
+  EXPECT_EQ(find_mesh_file(folder_, "/elsewhere/real.obj"), folder_ / "real.obj") << "folders are cut off";
+  try {
+    (void)load_body_mesh(folder_, {1, "", "a\x1b[31m.obj", 1.0});
+    ADD_FAILURE() << "there is no such file";
+  } catch (const MeshError& error) {
+    EXPECT_NE(std::string(error.what()).find("a\\x1b[31m.obj"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(MeshFolder, MaterialsFromOutsideAreNotRead) {
+  std::ofstream(folder_.parent_path() / "paint.mtl") << "newmtl red\nKd 1 0 0\n";
+  write("boat.obj", "mtllib ../paint.mtl\nusemtl red\n" + tetrahedron(1));
+  const MeshData mesh = load_mesh(folder_ / "boat.obj", 1.0);
+  EXPECT_EQ(mesh.vertices.at(0).colour[0], mesh.vertices.at(0).colour[1]) << "grey";
+}
+
+/// Waits until all that is wanted has been read.
+void wait_for(const MeshLoader& loader) {
+  for (int i = 0; i < 4000 && !loader.done(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ASSERT_TRUE(loader.done());
+}
+
+TEST_F(MeshFolder, BodiesWithTheSameMeshShareIt) {
+  write("buoy.obj", tetrahedron(1));
+  MeshLoader loader(folder_);
+  std::vector<BodyInfo> bodies;
+  for (std::uint32_t id = 1; id <= 64; ++id)
+    bodies.push_back({id, "", "buoy.obj", 1.0, surface_of("buoy.obj", 1)});  // each has a surface of its own
+  loader.want(bodies);
+  wait_for(loader);
+  BodyMeshes meshes = loader.meshes();
+  ASSERT_EQ(meshes.size(), 64U);
+  for (const auto& [body, mesh] : meshes) EXPECT_EQ(mesh, meshes.begin()->second);
+  const auto first = meshes.at(1);
+  bodies[0].mesh_scale = 2.0;
+  loader.want(bodies);
+  wait_for(loader);
+  meshes = loader.meshes();
+  EXPECT_NE(meshes.at(1), first);
+  EXPECT_EQ(meshes.at(2), first) << "read before, not again";
+  loader.want({});
+  EXPECT_TRUE(loader.meshes().empty());
+  EXPECT_TRUE(loader.done());
+}
+
+TEST_F(MeshFolder, AMeshThatIsMissingHoldsNobodyUp) {
+  write("buoy.obj", tetrahedron(1));
+  MeshLoader loader(folder_);
+  loader.want({{1, "", "ghost.obj", 1.0}, {2, "", "buoy.obj", 1.0, surface_of("buoy.obj", 1)}});
+  wait_for(loader);
+  EXPECT_FALSE(loader.meshes().contains(1));
+  EXPECT_TRUE(loader.meshes().contains(2));
+  const std::vector<std::string> notes = loader.take_notes();
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes[0].find("body 1: there is no mesh ghost.obj"), std::string::npos) << notes[0];
+  EXPECT_TRUE(loader.take_notes().empty());
+}
+
+TEST_F(MeshFolder, TrianglesOfAllBodiesTogetherAreBounded) {
+  auto surface = surface_of("none.obj", 4);
+  surface->triangles.resize(BodySurface::kMostTriangles, {0, 2, 1});
+  MeshLoader loader(folder_);
+  std::vector<BodyInfo> bodies;
+  for (std::uint32_t id = 1; id <= 30; ++id) bodies.push_back({id, "", "none.obj", 1.0, surface});
+  loader.want(bodies);
+  wait_for(loader);
+  std::size_t drawn = 0;
+  for (const auto& [body, mesh] : loader.meshes()) drawn += mesh->triangle_count();
+  EXPECT_LE(drawn, MeshLoader::kMostTriangles + 30 * 12);
+  EXPECT_GE(drawn, MeshLoader::kMostTriangles / 2);
+}
+
+TEST(FileDigest, IsThatOfTheBytes) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / ("digest_" + std::to_string(getpid()));
+  std::ofstream(file) << "foobar";
+  EXPECT_EQ(file_digest(file), 0x85944171f73967e8ull) << "a published value of FNV-1a";
+  std::filesystem::remove(file);
+  EXPECT_EQ(file_digest(file), 0U);
+  EXPECT_EQ(file_digest("/dev/zero"), 0U);
+  EXPECT_EQ(file_digest(testing::TempDir()), 0U);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ class FlatSea {
   explicit FlatSea(Quality quality = Quality::kMedium) : renderer_({kWidth, kHeight, 32, quality, true}) {
     SceneInfo scene;
     scene.particle_spacing = 1.0;
-    (void)renderer_.set_scene(scene, "");
+    renderer_.set_scene(scene);
   }
   Picture draw(const std::vector<SlickDisc>& discs, const Camera& camera = oblique_camera()) {
     SeaMoment moment;
@@ -248,7 +248,7 @@ TEST_F(Graphics, SlickMeetsWithoutASeamBetweenChannels) {
 TEST_F(Graphics, HullHidesTheSlick) {
   Renderer renderer({kWidth, kHeight, 32, Quality::kLow, true});
   const std::filesystem::path assets = test::source_path("assets");
-  ASSERT_TRUE(renderer.set_scene(synthetic_scene(), assets / "meshes").empty());
+  set_scene(renderer, synthetic_scene(), assets / "meshes");
   OceanFrame frame;
   fill_synthetic_frame(12.0, frame);
   const Channel channel = *load_rig(assets / "rigs/ship_bridge.json").find("quarter");

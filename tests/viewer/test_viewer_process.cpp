@@ -48,9 +48,12 @@ class SeaServer {
     thread_.join();
   }
 
+  /// Another scene, as if it were this server's.
+  void publish(const SceneInfo& scene) const { publisher_.publish_scene_info(scene); }
+
  private:
   std::shared_ptr<DdsParticipant> participant_;
-  FramePublisher publisher_;
+  mutable FramePublisher publisher_;
   std::atomic<bool> stop_{false};
   std::thread thread_;
 };
@@ -111,6 +114,73 @@ TEST_F(ViewerProcess, DrawsTheSlickOfAServer) {
   EXPECT_GE(result["slicks_received"], 1);
   EXPECT_EQ(result["slicks_refused"], 0);
   EXPECT_EQ(result["errors"], json::array());
+}
+
+TEST_F(ViewerProcess, ShowsTheLastFrameOfASeaThatIsPaused) {
+  const auto participant = join_dds(test_settings());
+  FramePublisher publisher(participant, synthetic_scene());
+  OceanFrame frame;
+  fill_synthetic_frame(1.0, frame);
+  auto snapshot = publisher.acquire();
+  snapshot->frame = 30;
+  snapshot->particles = frame.particles;
+  snapshot->bodies = frame.bodies;
+  publisher.submit(std::move(snapshot));
+  ServerStatus paused;
+  paused.paused = true;
+  publisher.submit_status(paused);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));  // nobody listens yet
+  ChildProcess viewer(command({"--channel", "port", "--frames", "1", "--wait", "20"}));
+  EXPECT_EQ(viewer.wait_for_end(), 0);
+  const json result = report("port");
+  EXPECT_EQ(result["paused"], true);
+  EXPECT_EQ(result["pictures_written"], 1);
+  EXPECT_EQ(result["frames_received"], 1);
+  EXPECT_TRUE(result["latency_ms"].is_null()) << "the frame is as old as the pause";
+}
+
+/// A scene of as many bodies as there may be, each with a mesh of its own that is as large as may be sent.
+SceneInfo heavy_scene() {
+  SceneInfo scene = synthetic_scene();
+  scene.bodies.clear();
+  for (std::uint32_t id = 1; id <= 20; ++id) {
+    auto surface = std::make_shared<BodySurface>();
+    surface->file_digest = id;
+    surface->high.setConstant(id);
+    for (std::uint32_t v = 0; v < 1000; ++v) surface->vertices.emplace_back(v % 10, v / 10 % 10, v / 100 + id);
+    for (std::uint32_t t = 0; t < 50'000; ++t) surface->triangles.push_back({t % 998, t % 998 + 1, t % 998 + 2});
+    surface->triangle_count = 50'000;
+    scene.bodies.push_back({id, "crowd", "crowd.obj", 1.0, surface});
+  }
+  return scene;
+}
+
+TEST_F(ViewerProcess, HostileScenesNeitherEndNorHangIt) {
+  const SeaServer server;
+  ChildProcess viewer(command({"--channel", "port", "--every", "0.3"}));
+  const auto pictures = [&] {
+    int count = 0;
+    if (std::filesystem::exists(out_))
+      for (const auto& entry : std::filesystem::directory_iterator(out_)) count += entry.path().extension() == ".png";
+    return count;
+  };
+  ASSERT_TRUE(eventually([&] { return pictures() >= 2; }));
+  // The server itself has gone mad: all that follows has its source.
+  SceneInfo scene = synthetic_scene();
+  scene.bodies[0].mesh_file = std::string(256, 'm') + ".obj";
+  server.publish(scene);
+  scene.bodies[0].mesh_file = "../../../etc/passwd\x1b[31m";
+  server.publish(scene);
+  scene.bodies.assign(4096, scene.bodies[0]);
+  server.publish(scene);
+  server.publish(heavy_scene());
+  const int before = pictures();
+  EXPECT_TRUE(eventually([&] { return pictures() >= before + 4; })) << "drawing goes on";
+  viewer.signal(SIGTERM);
+  const auto told = std::chrono::steady_clock::now();
+  EXPECT_EQ(viewer.wait_for_end(), 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - told, std::chrono::seconds(20));
+  EXPECT_GE(report("port")["others_refused"], 1);
 }
 
 TEST_F(ViewerProcess, OutlivesTheServerAndFindsTheNextOne) {

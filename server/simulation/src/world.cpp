@@ -202,7 +202,7 @@ SceneInfo World::describe() const {
     info.bodies.push_back(
         {body.id, body.name,
          wire_name({body.primitive, body.mesh_axes, std::filesystem::path(body.mesh_file).filename().string()}),
-         body.mesh_scale});
+         body.mesh_scale, bodies_.surface_of(body.id)});
   return info;
 }
 

@@ -65,6 +65,7 @@ class FramePublisher::Implementation {
         log_(std::move(log)),
         participant_(std::move(participant)),
         scene_writer_(*participant_, topics::scene_info()),
+        shape_writer_(*participant_, topics::body_shape()),
         frame_writer_(*participant_, topics::ocean_frame()),
         status_writer_(*participant_, topics::status()),
         status_v1_writer_(*participant_, topics::status_v1()),
@@ -132,6 +133,11 @@ class FramePublisher::Implementation {
     {
       const std::lock_guard lock(mutex_);
       particle_spacing_ = info.particle_spacing;
+    }
+    for (const BodyInfo& body : info.bodies) {
+      if (!body.surface) continue;
+      const wire::BodyShapeSample shape(*body.surface, body.id, source_);
+      count_write(shape_writer_.write(&shape.get()), "body_shape");
     }
     const wire::SceneInfoSample sample(info, source_);
     count_write(scene_writer_.write(&sample.get()), "scene_info");
@@ -333,6 +339,7 @@ class FramePublisher::Implementation {
   RateLimitedLog log_;
   std::shared_ptr<DdsParticipant> participant_;
   DdsWriter scene_writer_;
+  DdsWriter shape_writer_;
   DdsWriter frame_writer_;
   DdsWriter status_writer_, status_v1_writer_;
   DdsWriter wind_writer_;

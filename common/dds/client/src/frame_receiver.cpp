@@ -4,6 +4,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <span>
 #include <thread>
@@ -27,6 +28,7 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kPollInterval = std::chrono::milliseconds(250);
 constexpr std::size_t kMostEvents = 256;
 constexpr std::size_t kMostSpareFrames = 4;
+constexpr std::size_t kMostTriangles = 1'000'000;  // of all bodies
 
 }  // namespace
 
@@ -39,6 +41,7 @@ class FrameReceiver::Implementation {
         frames_(participant_, topics::ocean_frame()),
         scenes_(participant_, topics::scene_info()),
         statuses_(participant_, topics::status()),
+        shapes_(std::make_unique<DdsReader>(participant_, topics::body_shape())),
         winds_(participant_, topics::wind()),
         slicks_(participant_, topics::slick()),
         event_reader_(participant_, topics::event()),
@@ -46,6 +49,7 @@ class FrameReceiver::Implementation {
     if (const auto warning = check_receive_buffer()) log_.write(*warning);
     waitset_.attach(frames_);
     waitset_.attach(scenes_);
+    waitset_.attach(*shapes_);
     waitset_.attach(statuses_);
     waitset_.attach(winds_);
     waitset_.attach(slicks_);
@@ -77,6 +81,16 @@ class FrameReceiver::Implementation {
     return arrived_.wait_for(lock, timeout, [this] { return newest_ != nullptr; });
   }
 
+  /// The scene, with the surfaces that have come so far.
+  std::optional<SceneInfo> scene() const {
+    const std::lock_guard lock(mutex_);
+    std::optional<SceneInfo> scene = scene_;
+    if (!scene) return scene;
+    for (BodyInfo& body : scene->bodies)
+      if (const auto found = surfaces_.find(body.id); found != surfaces_.end()) body.surface = found->second;
+    return scene;
+  }
+
   template <class Value>
   Value read(const Value Implementation::*member) const {
     const std::lock_guard lock(mutex_);
@@ -95,7 +109,6 @@ class FrameReceiver::Implementation {
     return heard != 0 && Clock::now() - Clock::time_point(Clock::duration(heard)) < SourceWatch::kSilence;
   }
 
-  std::optional<SceneInfo> scene_;
   std::uint64_t scene_revision_ = 0;
   std::optional<ServerStatus> status_;
   std::optional<WindSettings> wind_;
@@ -124,6 +137,8 @@ class FrameReceiver::Implementation {
     take<pelagos_SceneInfoV1>(
         scenes_, "scene_info", &ReceiverCounters::others_refused, [this](const auto& sample) { accept_scene(sample); },
         [this](const auto& sample, const auto& sender) { keep_for_later(sample, sender); });
+    take<pelagos_BodyShapeV1>(*shapes_, "body_shape", &ReceiverCounters::others_refused,
+                              [this](const auto& sample) { accept_shape(sample); });
     take<pelagos_WindV1>(winds_, "wind", &ReceiverCounters::others_refused, [this](const auto& sample) {
       const std::lock_guard lock(mutex_);
       wind_ = sample.has_wind ? std::optional(wire::from_wire(sample.wind)) : std::nullopt;
@@ -142,6 +157,10 @@ class FrameReceiver::Implementation {
       events_.push_back(std::move(event));
       if (events_.size() > kMostEvents) events_.pop_front();
     });
+    if (std::exchange(ask_for_shapes_, false)) {  // a new reader gets what was written once
+      shapes_ = std::make_unique<DdsReader>(participant_, topics::body_shape());
+      waitset_.attach(*shapes_);
+    }
   }
 
   /// Takes what waits in a reader: `accept` gets the samples of the server that is followed, `other` those of others.
@@ -189,8 +208,10 @@ class FrameReceiver::Implementation {
   /// What was known is of another server.
   void go_over_to(const SourceWatch::Sender& sender) {
     count_.restart();
+    ask_for_shapes_ = std::exchange(follows_, true);  // those of the new server were passed over so far
     const std::lock_guard lock(mutex_);
     scene_.reset();
+    surfaces_.clear();
     status_.reset();
     wind_.reset();
     slick_.reset();
@@ -209,6 +230,21 @@ class FrameReceiver::Implementation {
     const std::lock_guard lock(mutex_);
     scene_ = std::move(scene);
     ++scene_revision_;
+  }
+
+  void accept_shape(const pelagos_BodyShapeV1& sample) {
+    auto surface = std::make_shared<const BodySurface>(wire::from_wire(sample));
+    const std::lock_guard lock(mutex_);
+    std::size_t triangles = surface->triangles.size();
+    for (const auto& [body, other] : surfaces_)
+      if (body != sample.body) triangles += other->triangles.size();
+    const bool fits = surfaces_.size() < wire::kMostBodies || surfaces_.contains(sample.body);
+    if (!fits || triangles > kMostTriangles) {
+      ++counters_.others_refused;
+      return;
+    }
+    surfaces_[sample.body] = std::move(surface);
+    if (scene_) ++scene_revision_;
   }
 
   void keep_for_later(const pelagos_SceneInfoV1& sample, const SourceWatch::Sender& sender) {
@@ -294,6 +330,7 @@ class FrameReceiver::Implementation {
   DdsReader frames_;
   DdsReader scenes_;
   DdsReader statuses_;
+  std::unique_ptr<DdsReader> shapes_;
   DdsReader winds_;
   DdsReader slicks_;
   DdsReader event_reader_;
@@ -303,12 +340,15 @@ class FrameReceiver::Implementation {
   WriterOwners owners_;
   SourceWatch watch_{[this](const ParticipantId& process) { return is_matched(frames_, process); }};
   FrameCount count_;
+  bool follows_ = false, ask_for_shapes_ = false;
   std::deque<std::pair<SourceWatch::Sender, SceneInfo>> other_scenes_;
 
   std::atomic<bool> stop_{false};
   std::atomic<Clock::rep> last_heard_{0};  // ticks of the steady clock; 0: never
   mutable std::mutex mutex_;               // guards what follows, and the public members
   mutable std::condition_variable arrived_;
+  std::optional<SceneInfo> scene_;
+  std::map<std::uint32_t, std::shared_ptr<const BodySurface>> surfaces_;  // by body
   std::unique_ptr<OceanFrame> newest_;
   std::vector<std::unique_ptr<OceanFrame>> spare_;
   std::deque<Event> events_;
@@ -325,7 +365,7 @@ void FrameReceiver::recycle(std::unique_ptr<OceanFrame> frame) { implementation_
 bool FrameReceiver::wait_for_frame(std::chrono::milliseconds timeout) const {
   return implementation_->wait_for_frame(timeout);
 }
-std::optional<SceneInfo> FrameReceiver::scene_info() const { return implementation_->read(&Implementation::scene_); }
+std::optional<SceneInfo> FrameReceiver::scene_info() const { return implementation_->scene(); }
 std::uint64_t FrameReceiver::scene_revision() const { return implementation_->read(&Implementation::scene_revision_); }
 std::optional<ServerStatus> FrameReceiver::status() const { return implementation_->read(&Implementation::status_); }
 std::optional<WindSettings> FrameReceiver::wind() const { return implementation_->read(&Implementation::wind_); }

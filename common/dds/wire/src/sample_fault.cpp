@@ -165,6 +165,28 @@ std::optional<SampleFault> find_fault(const pelagos_SceneInfoV1& info) {
   return std::move(checks).result();
 }
 
+std::optional<SampleFault> find_fault(const pelagos_BodyShapeV1& shape) {
+  constexpr std::uint64_t kMostTriangles = BodySurface::kMostTriangles;
+  const auto& vertices = shape.vertices;
+  const auto& corners = shape.corners;
+  Checks checks;
+  checks.vector("box_min", shape.box_min, kFarthest);
+  checks.vector("box_max", shape.box_max, kFarthest);
+  checks.that(
+      shape.box_min.x <= shape.box_max.x && shape.box_min.y <= shape.box_max.y && shape.box_min.z <= shape.box_max.z,
+      "box_max", "is below box_min");
+  checks.count("vertices", vertices._length, 9 * kMostTriangles);
+  checks.count("corners", corners._length, 3 * kMostTriangles);
+  checks.that(vertices._length % 3 == 0, "vertices", "is not three numbers a vertex");
+  checks.that(corners._length % 3 == 0, "corners", "is not three vertices a triangle");
+  checks.that(vertices._length > 0 || corners._length == 0, "corners", "are of no vertices");
+  for (std::uint32_t i = 0; i < vertices._length && !checks.failed(); ++i)
+    checks.within("vertices", static_cast<double>(vertices._buffer[i]), -kFarthest, kFarthest);
+  for (std::uint32_t i = 0; i < corners._length && !checks.failed(); ++i)
+    checks.that(corners._buffer[i] < vertices._length / 3, "corners", "name a vertex that is not there");
+  return std::move(checks).result();
+}
+
 std::optional<SampleFault> find_fault(const pelagos_StatusV2& status) {
   Checks checks;
   checks.name("scene", status.scene, kLongestName);

@@ -41,6 +41,12 @@ TopicSpec scene_info() {
   return {"scene_info_v1", &pelagos_SceneInfoV1_desc, writer, for_late(reader_qos())};
 }
 
+TopicSpec body_shape() {
+  TopicQos reader = for_late(reader_qos());
+  reader.most_instances = 4 * kMostBodies;  // they are large
+  return {"body_shape_v1", &pelagos_BodyShapeV1_desc, for_late({}), reader};
+}
+
 // Served beside the second version, for readers of the first.
 TopicSpec status_v1() { return {"status_v1", &pelagos_StatusV1_desc, TopicQos{}, reader_qos()}; }
 TopicSpec status() { return {"status_v2", &pelagos_StatusV2_desc, TopicQos{}, reader_qos()}; }

@@ -16,6 +16,7 @@
 #include "values/body.hpp"
 #include "values/current.hpp"
 #include "values/scene.hpp"
+#include "values/scene_info.hpp"
 
 namespace pelagos {
 
@@ -39,6 +40,9 @@ class Bodies {
 
   /// What a person should know of the bodies' meshes: cavities, parts that overlap (BodyShape::notes).
   [[nodiscard]] std::vector<std::string> mesh_notes() const;
+
+  /// What viewers are told of a body's mesh; null for a primitive. Reads the file again, for its digest.
+  [[nodiscard]] std::shared_ptr<const BodySurface> surface_of(std::uint32_t id) const;
 
   [[nodiscard]] bool empty() const { return bodies_.empty(); }
   [[nodiscard]] std::size_t sample_count() const { return volumes_.size() + static_.size(); }

@@ -69,6 +69,19 @@ class SceneInfoSample {
 };
 [[nodiscard]] SceneInfo from_wire(const pelagos_SceneInfoV1& info);
 
+class BodyShapeSample {
+ public:
+  BodyShapeSample(const BodySurface& surface, std::uint32_t body, std::uint64_t source);
+  [[nodiscard]] const pelagos_BodyShapeV1& get() const { return sample_; }
+
+ private:
+  std::vector<float> vertices_;
+  std::vector<std::uint32_t> corners_;
+  pelagos_BodyShapeV1 sample_{};
+};
+/// Does not validate: see find_fault.
+[[nodiscard]] BodySurface from_wire(const pelagos_BodyShapeV1& shape);
+
 /// Both versions of the status; they lend the strings of `status`, which must outlive the sample.
 class StatusSample {
  public:

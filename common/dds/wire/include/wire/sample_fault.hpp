@@ -29,6 +29,7 @@ struct SampleFault {
 /// Nothing if a viewer can compute with everything in the sample, and the payload holds `count` whole records.
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_OceanFrameV1& frame);
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_SceneInfoV1& info);
+[[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_BodyShapeV1& shape);
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_StatusV2& status);
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_WindV1& wind);
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_SlickV1& slick);
