@@ -43,6 +43,11 @@ int main(int argc, char** argv) {
                                std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
                              }};
   const auto end = Clock::now() + std::chrono::seconds(60);
-  std::string(argv[1]) == "server" ? run_server(settings, end) : run_viewer(settings, end);
-  return 0;
+  try {
+    std::string(argv[1]) == "server" ? run_server(settings, end) : run_viewer(settings, end);
+    return 0;
+  } catch (const DdsError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
 }

@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 
+#include "../support/places.hpp"
 #include "child_process.hpp"
 #include "loopback.hpp"
 #include "transport/pose_receiver.hpp"
@@ -158,6 +161,46 @@ TEST_F(Processes, ExampleBridgeIsHeardAndEndsByItself) {
   EXPECT_EQ(bridge.wait_for_end(), 0);
   EXPECT_EQ(receiver.counters().refused_in_all(), 0U);
   EXPECT_EQ(receiver.counters().corrected, 0U);
+}
+
+/// A domain that deploy/dds-security has closed; the processes find its configuration in their environment.
+class ClosedDomain : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::system("command -v openssl > /dev/null") != 0) GTEST_SKIP() << "there is no openssl";
+    folder_ = std::filesystem::path(testing::TempDir()) / ("keys_" + std::to_string(getpid()));
+    std::filesystem::remove_all(folder_);
+    const std::string script = test::source_path("deploy/dds-security");
+    ASSERT_EQ(std::system((script + " " + folder_.string() + " > /dev/null").c_str()), 0);
+  }
+  void TearDown() override {
+    unsetenv("CYCLONEDDS_URI");
+    std::filesystem::remove_all(folder_);
+  }
+
+  /// A peer with the key of `role`; without one if that is empty.
+  [[nodiscard]] std::unique_ptr<ChildProcess> start(const std::string& peer, const std::string& role) const {
+    const std::string domain = std::to_string(test_settings().domain);
+    if (!role.empty()) setenv("CYCLONEDDS_URI", ("file://" + (folder_ / (role + ".xml")).string()).c_str(), 1);
+    auto process = std::make_unique<ChildProcess>(std::vector<std::string>{PELAGOS_TEST_PEER, peer, domain});
+    unsetenv("CYCLONEDDS_URI");
+    return process;
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(ClosedDomain, WhoHasNoKeySeesNothingAndAKeyIsForItsRole) {
+  const auto server = start("server", "server");
+  const auto viewer = start("viewer", "viewer");
+  const auto stranger = start("viewer", "");
+  std::string seen;
+  ASSERT_TRUE(eventually([&] {
+    seen += viewer->read_output(20ms);
+    return std::count(seen.begin(), seen.end(), '\n') >= 20;
+  }));
+  EXPECT_EQ(stranger->read_output(500ms), "");
+  EXPECT_NE(start("server", "viewer")->wait_for_end(), 0) << "a viewer's key is not for frames";
 }
 
 }  // namespace
