@@ -60,6 +60,9 @@ std::vector<Dialect> dialects() {
                                       "p 1\nl 1 2 3\ncstype bezier\ndeg 3\ncurv 0 1 1 2\nparm u 0 1\nend\nf 1 2\n" +
                                       kFaces + "vp 0 1\nunheard of\n"},
       {"ObjectsGroupsMaterials", "mtllib none.mtl\no hull\ng\n" + kVertices + "usemtl red\ns 1\n" + kFaces},
+      {"EdgesThereAndBack",
+       replaced(replaced(replaced(kVertices + kFaces, "f 5 6 7 8", "f 5 6 7 1 7 8"), "f 1 2 6 5", "f 8 1 2 6 5 1"),
+                "f 2 3 7 6", "f 8 2 3 7 6 2")},
       {"CornersTwice", replaced(replaced(kVertices + kFaces, "f 5 6 7 8", "f 5 6 6 7 8 8 5"), "f 4 3", "f 4 4 3")},
   };
 }
@@ -91,6 +94,7 @@ std::vector<Refusal> refusals() {
       {"Infinite", "v 0 0 1e999\n", {"line 1", "\"1e999\""}},
       {"WordForNumber", "v one 0 0\n", {"line 1", "\"one\""}},
       {"TwoCoordinates", "\n\nv 1 2\n", {"line 3", "missing"}},
+      {"BrokenCharacters", "v 0 0 \xFF\x1B[2J\xC2\x9B\xC3\xA9\n", {"line 1", "\"??[2J??\xC3\xA9\""}},
       {"VertexOfNone", kVertices + kFaces + "f 1 2 9\n", {"line 15", "vertex 9", "8"}},
       {"VertexZero", kVertices + "f 0 1 2\n", {"line 9", "vertex 0", "the first is 1"}},
       {"VertexBeforeTheFirst", kVertices + "f -1 -2 -9\n", {"line 9", "vertex -9"}},

@@ -109,6 +109,7 @@ TEST(Stl, TextDialects) {
   expect_tetrahedron("exponents", imported("a.stl", replaced(plain, " 2", " 2000e-3")));
   expect_tetrahedron("normals of words",
                      imported("a.stl", replaced(plain, "normal 0 0 0", "normal nan nan -nan(ind)")));
+  expect_tetrahedron("no normals", imported("a.stl", replaced(plain, " normal 0 0 0", "")));
   std::string upper = plain;
   for (char& c : upper) c = static_cast<char>(std::toupper(c));
   expect_tetrahedron("upper case", imported("a.stl", upper));

@@ -207,6 +207,17 @@ TEST(MeshFile, MendsTrianglesWithoutAreaThatCloseGapsWithoutWidth) {
   EXPECT_THAT(read_mesh(alone.path()).faults, Contains(HasSubstr("the face at line 24 at (2, 0, 0) m has no area")));
 }
 
+TEST(MeshFile, AnInvertedPolygonIsNamedByItsLineAndTheAdviceHelps) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
+  const std::string before = "o crate\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\n", after = "f 3 4 8 7\nf 4 1 5 8\n";
+  const TemporaryFile wrong("wrong.obj", vertices + before + "f 6 7 3 2\n" + after);
+  EXPECT_THAT(read_mesh(wrong.path()).faults,
+              testing::ElementsAre(HasSubstr("the face at line 13 of object \"crate\" at ")))
+      << "one line for both triangles of the polygon";
+  const TemporaryFile right("right.obj", vertices + before + "f 2 3 7 6\n" + after);  // its corners reversed
+  EXPECT_THAT(read_mesh(right.path()).faults, IsEmpty());
+}
+
 TEST(MeshFile, TheSizeIsThatOfTheTriangles) {
   const TemporaryFile box(
       "far.obj", "v 1e9 0 0\n" + [] {

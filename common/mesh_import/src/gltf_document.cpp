@@ -56,7 +56,7 @@ std::string take_data_uris(std::span<char> json, std::vector<std::span<char>>& d
 
 std::string without_number(std::string_view what) {
   const std::size_t start = what.find("] ");  // after the parser's own number of the fault
-  return shown(what.substr(start == what.npos ? 0 : start + 2));
+  return shown(what.substr(start == what.npos ? 0 : start + 2), 200);
 }
 
 /// Counts what a parser finds and ends it where there is too much.
@@ -253,6 +253,11 @@ void GltfDocument::check_extensions() const {
       throw ImportFault("requires the extension " + shown(name) +
                         ", which is not read; save it without it (without compression, without instancing)");
   }
+}
+
+bool GltfDocument::uses(const std::string& extension) const {
+  const Json& used = list_of(root_, "extensionsUsed", "");
+  return std::find(used.begin(), used.end(), Json(extension)) != used.end();
 }
 
 const Json& GltfDocument::item(const char* list, std::size_t index) const {

@@ -23,6 +23,7 @@ class GltfDocument {
   /// An object of one of the lists of the root, as "nodes". @throws ImportFault if there is none of this number
   [[nodiscard]] const Json& item(const char* list, std::size_t index) const;
   [[nodiscard]] std::size_t count(const char* list) const;
+  [[nodiscard]] bool uses(const std::string& extension) const;
   /// The bytes of a buffer, as many as it says. @throws ImportFault if there are fewer
   [[nodiscard]] std::span<const char> buffer(std::size_t index);
   /// Counts elements of sparse accessors, which are read anew at each use. @throws ImportFault if they are too many

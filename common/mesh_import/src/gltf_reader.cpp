@@ -78,6 +78,8 @@ class GltfReader {
       : document_(folder), with_materials_(options.materials), mesh_(mesh) {}
 
   void read() {
+    if (document_.uses("EXT_mesh_gpu_instancing"))
+      mesh_.add_note("the copies that EXT_mesh_gpu_instancing makes are not read; save the mesh without instancing");
     std::vector<Waiting> waiting;
     for (const std::size_t root : roots()) waiting.push_back({root, 1, Eigen::Affine3d::Identity()});
     std::reverse(waiting.begin(), waiting.end());

@@ -106,13 +106,36 @@ void MeshBuilder::add_triangle(const std::array<std::uint32_t, 3>& corners, cons
   mesh_.triangles.push_back({corners, tags.part, tags.place, tags.material});
 }
 
+void MeshBuilder::make_ring(std::span<const std::uint32_t> corners) {
+  const auto same = [this](std::uint32_t a, std::uint32_t b) { return mesh_.vertices[a] == mesh_.vertices[b]; };
+  ring_.clear();
+  for (const std::uint32_t corner : corners) {
+    if (!ring_.empty() && same(ring_.back(), corner)) continue;
+    if (ring_.size() > 1 && same(ring_[ring_.size() - 2], corner))
+      ring_.pop_back();  // there and back again
+    else
+      ring_.push_back(corner);
+  }
+  std::size_t start = 0, end = ring_.size();  // the same where it closes
+  while (end - start > 1) {
+    if (same(ring_[start], ring_[end - 1])) {
+      --end;
+    } else if (end - start > 2 && same(ring_[start + 1], ring_[end - 1])) {
+      ++start;
+    } else if (end - start > 2 && same(ring_[start], ring_[end - 2])) {
+      --end;
+    } else {
+      break;
+    }
+  }
+  ring_.resize(end);
+  ring_.erase(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(start));
+}
+
 void MeshBuilder::add_polygon(std::span<const std::uint32_t> corners, const TriangleTags& tags,
                               const std::string& name) {
   check_corners(corners.size(), name);
-  ring_.clear();
-  for (const std::uint32_t corner : corners)
-    if (ring_.empty() || mesh_.vertices[ring_.back()] != mesh_.vertices[corner]) ring_.push_back(corner);
-  while (ring_.size() > 1 && mesh_.vertices[ring_.back()] == mesh_.vertices[ring_.front()]) ring_.pop_back();
+  make_ring(corners);
   if (ring_.size() < 3) return;
   points_.clear();
   for (const std::uint32_t corner : ring_) points_.push_back(mesh_.vertices[corner]);

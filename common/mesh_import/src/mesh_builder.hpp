@@ -41,6 +41,8 @@ class MeshBuilder {
   [[nodiscard]] ImportedMesh take() { return std::move(mesh_); }
 
  private:
+  /// Takes corners into the ring, each point once in a row, without edges that lead there and back again.
+  void make_ring(std::span<const std::uint32_t> corners);
   /// Where a point is in the hash, or would be.
   [[nodiscard]] std::size_t place_of(const Eigen::Vector3d& vertex) const;
 

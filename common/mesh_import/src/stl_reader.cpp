@@ -156,9 +156,11 @@ class TextStl {
 
   void read_facet() {
     const std::size_t start = line();
-    expect("normal");
-    for (int n = 0; n < 3; ++n) (void)word();  // not needed: the order of the corners says it
-    expect("outer");
+    if (word() == "normal") {
+      for (int n = 0; n < 3; ++n) (void)word();  // not needed: the order of the corners says it
+      (void)word();
+    }
+    if (word_ != "outer") throw unexpected("outer");
     expect("loop");
     corners_.clear();
     while (word() == "vertex") {

@@ -15,6 +15,22 @@ constexpr std::size_t kBlock = 1u << 16;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
+/// Bytes of the character that a text begins with, as UTF-8 has it; 0 for control characters and broken ones.
+std::size_t length_of_character(std::string_view text) {
+  const auto byte = [&](std::size_t n) { return static_cast<unsigned>(static_cast<unsigned char>(text[n])); };
+  const unsigned first = byte(0);
+  if (first < 0x80u) return first < 0x20u || first == 0x7Fu ? 0 : 1;
+  if (first < 0xC2u || first > 0xF4u) return 0;
+  const std::size_t length = first < 0xE0u ? 2 : first < 0xF0u ? 3 : 4;
+  if (text.size() < length) return 0;
+  for (std::size_t n = 1; n < length; ++n)
+    if ((byte(n) & 0xC0u) != 0x80u) return 0;
+  if (first == 0xC2u && byte(1) < 0xA0u) return 0;                                           // C1 controls
+  if ((first == 0xE0u && byte(1) < 0xA0u) || (first == 0xF0u && byte(1) < 0x90u)) return 0;  // longer than need be
+  if ((first == 0xEDu && byte(1) >= 0xA0u) || (first == 0xF4u && byte(1) >= 0x90u)) return 0;
+  return length;
+}
+
 }  // namespace
 
 TextLines::TextLines(OpenFile& file, bool continued) : file_(file), continued_(continued), block_(kBlock) {
@@ -130,17 +146,16 @@ double read_number(std::string_view word, std::size_t line) {
   throw ImportFault(line, in_quotes(word) + " is not a finite number; allowed are such as 1, -0.5, 1e-3");
 }
 
-std::string shown(std::string_view word) {
-  constexpr std::size_t kMost = 64;
-  std::string text(word.substr(0, kMost));
-  while (text.size() < word.size() && !text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0u) == 0x80u)
-    text.pop_back();  // no part of a character at the cut
-  for (std::size_t n = 0; n < text.size(); ++n) {
-    const auto byte = static_cast<unsigned char>(text[n]);
-    const bool second = n > 0 && static_cast<unsigned char>(text[n - 1]) == 0xC2u && byte >= 0x80u && byte < 0xA0u;
-    if (byte < 0x20u || byte == 0x7Fu || second) text[n] = '?';
+std::string shown(std::string_view word, std::size_t most) {
+  std::string text;
+  std::size_t at = 0;
+  while (at < word.size()) {
+    const std::size_t length = length_of_character(word.substr(at));
+    if (text.size() + std::max<std::size_t>(length, 1) > most) return text + "...";
+    text += length == 0 ? "?" : word.substr(at, length);
+    at += std::max<std::size_t>(length, 1);
   }
-  return text.size() < word.size() ? text + "..." : text;
+  return text;
 }
 
 std::string in_quotes(std::string_view word) { return '"' + shown(word) + '"'; }

@@ -49,8 +49,8 @@ class TextLines {
 /// The same. @throws ImportFault naming the line, the word and what is wrong with it
 [[nodiscard]] double read_number(std::string_view word, std::size_t line);
 
-/// A word of a file as a message may show it: at most 64 bytes, control characters as '?'.
-[[nodiscard]] std::string shown(std::string_view word);
+/// A word of a file as a message may show it: at most `most` bytes, control characters and what is no UTF-8 as '?'.
+[[nodiscard]] std::string shown(std::string_view word, std::size_t most = 64);
 
 /// The same between quotes.
 [[nodiscard]] std::string in_quotes(std::string_view word);

@@ -48,6 +48,11 @@ void check_numbers(const TriangleMesh& mesh, const MeshOrigin& origin, std::vect
   absurd.append_to(faults);
 }
 
+/// Whether two triangles are of one polygon of the file.
+bool are_one_polygon(const MeshOrigin& origin, std::size_t a, std::size_t b) {
+  return std::max(a, b) < origin.part.size() && origin.part[a] == origin.part[b] && origin.place[a] == origin.place[b];
+}
+
 void check_areas(const TriangleMesh& mesh, const MeshOrigin& origin, std::vector<std::string>& faults) {
   const double least = kLeastArea * size_of(mesh).squaredNorm();
   FaultList degenerate("degenerate triangle");
@@ -168,11 +173,14 @@ void check_orientation(const TriangleMesh& mesh, std::span<const EdgePair> pairs
     return;
   }
   FaultList inverted("inverted triangle");
-  for (const std::size_t t : orientation.inverted())
+  const std::vector<std::size_t> list = orientation.inverted();
+  for (std::size_t n = 0; n < list.size(); ++n) {
+    if (n > 0 && are_one_polygon(origin, list[n - 1], list[n])) continue;
     inverted.add([&] {
-      return origin.describe(t) + " at " + text_of(mesh.corner(t, 0)) +
+      return origin.describe(list[n]) + " at " + text_of(mesh.corner(list[n], 0)) +
              " faces against its neighbours; reverse the order of its corners";
     });
+  }
   inverted.append_to(faults);
 }
 

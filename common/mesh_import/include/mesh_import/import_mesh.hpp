@@ -66,6 +66,11 @@ struct ImportOptions {
 /// a machine of today. Files that it refers to (glTF buffers, material libraries) are opened only if they lie in the
 /// mesh's own folder or below, links resolved.
 ///
+/// Written here and not left to Assimp: its importers (5.2, of Debian 12) recurse as deep as a file says, take time
+/// that grows with the square of counts and memory before any limit can be set, read 1,5 as 1.5, turn mirrored nodes
+/// inside out and forget lines. Bounding them takes a parser of each format in front and a process around. JSON is left
+/// to a library.
+///
 /// Polygons are cut into triangles that have an area each and use every corner, so that a corner in the middle of an
 /// edge leaves no gap to the neighbours there. Vertices are as the file has them: which of them are one point is for
 /// the caller to say (weld_vertices), for normals too. Binary STL has no shared vertices: equal ones are one here.
