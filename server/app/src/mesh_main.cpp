@@ -14,7 +14,8 @@ void add_options(CLI::App& app, std::string& file, MeshQuestions& questions, boo
   app.add_option("FILE", file, "Mesh (.obj, .stl, .gltf, .glb) or a shape as primitive:box:2x1x0.5")->required();
   app.add_option("--scale", questions.options.scale, "Metres per unit of the file (default: 1)")
       ->check(CLI::Range(0.001, 1000.0));
-  app.add_option("--axes", questions.options.axes, "The file's axes (default: x-forward-z-up; glTF: z-forward-y-up)")
+  app.add_option("--axes", questions.options.axes,
+                 "The file's axes (default: x-forward-z-up; most glTF files are z-forward-y-up)")
       ->transform(CLI::CheckedTransformer(axes));
   CLI::Option* one_sided = app.add_flag("--open", open, "One side of something larger, as a sea bed");
   CLI::Option* waterline =
