@@ -122,6 +122,35 @@ TEST(Drift, OilThatLeavesThePatchIsCounted) {
   EXPECT_EQ(layer.ledger().balance(), 0);
 }
 
+TEST(Drift, OilStopsAtClosedSidesOfThePatch) {
+  SlickSettings settings = plain_settings();
+  settings.patch = SlickPatch{{-50.0, -50.0}, {50.0, 50.0}, {true, false}};
+  SlickLayer layer(settings);
+  ASSERT_FALSE(layer.release(3.0, {45.0, -10.0}, 1.0));
+  run(layer, PlacedSurroundings(moving({1.0, 0.0})), 20.0, 1.0);
+  EXPECT_EQ(layer.elements()[0].position, Eigen::Vector2d(50.0, -10.0)) << "straight on: it stops";
+  run(layer, PlacedSurroundings(moving({1.0, 0.5})), 20.0, 1.0);
+  EXPECT_EQ(layer.elements()[0].position, Eigen::Vector2d(50.0, 0.0)) << "at a slant: it goes along";
+  EXPECT_EQ(layer.ledger().left_patch, 0);
+  run(layer, PlacedSurroundings(moving({1.0, 1.0})), 60.0, 1.0);
+  EXPECT_EQ(layer.ledger().left_patch, to_milligrams(3.0)) << "over the side that is open it leaves";
+}
+
+TEST(Drift, ALargeSlickInAClosedBasinLosesNothing) {
+  // Spreading, splitting and a boom at the face, all of it at a wall and in a corner.
+  SlickSettings settings = plain_settings();
+  settings.patch = SlickPatch{{0.0, 0.0}, {40.0, 30.0}, {true, true}};
+  settings.largest_radius = 3.0;
+  SlickLayer layer(settings);
+  ASSERT_FALSE(layer.set_boom("b", Boom{{{30.0, -5.0}, {30.0, 35.0}}}));
+  ASSERT_FALSE(layer.release(3000.0, {20.0, 15.0}, 2.0));
+  run(layer, PlacedSurroundings(moving({1.0, 0.7})), 120.0, 0.5);
+  EXPECT_EQ(layer.ledger().left_patch, 0);
+  EXPECT_EQ(layer.ledger().balance(), 0);
+  for (const SlickElement& e : layer.elements())
+    EXPECT_TRUE(e.position.x() <= 40.0 && e.position.y() <= 30.0) << e.position.transpose();
+}
+
 TEST(Drift, AStepThatIsNoStepDoesNothing) {
   SlickLayer layer(plain_settings());
   ASSERT_FALSE(layer.release(1.0, {0.0, 0.0}, 1.0));

@@ -125,6 +125,75 @@ TEST(OilSpill, DriftsWithThreeHundredthsOfTheWindUnderEveryLaw) {
   }
 }
 
+/// Places of the slick's elements.
+std::vector<Eigen::Vector2d> places_of(const World& world) {
+  std::vector<Eigen::Vector2d> places;
+  for (const SlickDisc& disc : world.spill()->discs())
+    places.emplace_back(static_cast<double>(disc.x), static_cast<double>(disc.y));
+  return places;
+}
+
+TEST(OilSpill, ACurrentStraightOnToAQuayEndsThere) {
+  Scene scene = test::oily_basin(OilModel::kSlick);
+  scene.current.emplace();
+  scene.current->velocity = {0.6, 0.0, 0.0};
+  BodySettings quay;
+  quay.id = 1;
+  quay.primitive = BoxShape{{0.5, 8.0, 4.0}};
+  quay.drive = BodyDrive::kStatic;
+  quay.position = {3.75, 2.0, 1.0};  // its face at x = 3.5
+  scene.bodies = {quay};
+  World world = make_world(scene);
+  ASSERT_EQ(world.apply(OilCommand{SpillOil{{2.5, 2.0}, 1e-5, 0.1}}), std::nullopt);
+  test::run_with_ledger(world, 4.0);
+  for (const Eigen::Vector2d& place : places_of(world)) {
+    EXPECT_NEAR(place.x(), 3.5 - 0.25 * 0.25, 0.02);  // it keeps a quarter of a spacing
+    // What is left is the water's own motion there; a search for a way out would carry it along with 0.4 m/s.
+    EXPECT_NEAR(place.y(), 2.0, 0.25);
+  }
+  EXPECT_EQ(test::budget_of(world).ledger.left_patch, 0);
+}
+
+TEST(OilSpill, NeverLeavesAClosedBasin) {
+  Scene scene = test::oily_basin(OilModel::kSlick);
+  scene.current.emplace();
+  scene.current->velocity = {1.0, 0.6, 0.0};
+  World world = make_world(scene);
+  ASSERT_EQ(world.apply(OilCommand{SpillOil{{3.0, 2.5}, 0.01, 0.5}}), std::nullopt);
+  test::run_with_ledger(world, 4.0);
+  EXPECT_EQ(test::budget_of(world).ledger.left_patch, 0);
+  const std::vector<Eigen::Vector2d> places = places_of(world);
+  ASSERT_FALSE(places.empty());
+  for (const Eigen::Vector2d& place : places) EXPECT_TRUE(place.x() <= 5.0 && place.y() <= 4.0) << place.transpose();
+}
+
+TEST(OilSpill, AHullThatMovesPushesOilBeforeIt) {
+  Scene scene = test::oily_basin(OilModel::kSlick);
+  BodySettings hull;
+  hull.id = 1;
+  hull.primitive = BoxShape{{1.0, 1.5, 1.0}};
+  hull.position = {1.2, 2.0, 1.3};
+  scene.bodies = {hull};
+  World world = make_world(scene);
+  ASSERT_EQ(world.apply(OilCommand{SpillOil{{2.0, 2.0}, 1e-4, 0.2}}), std::nullopt);
+  while (world.time() < 2.0) {
+    BodyPose pose;
+    pose.body = 1;
+    pose.time = world.time() + 1.0;
+    pose.position = hull.position + Eigen::Vector3d(0.6 * world.time(), 0, 0);
+    pose.velocity = {0.6, 0, 0};
+    ASSERT_TRUE(world.accept_pose(pose));
+    world.advance();
+    const Eigen::Vector3d middle = world.bodies().states()[0].position;
+    for (const Eigen::Vector2d& place : places_of(world)) {
+      const Eigen::Vector2d off = (place - middle.head<2>()).cwiseAbs();
+      // A step of the hull may lie between its last way out and this look.
+      EXPECT_TRUE(off.x() > 0.48 || off.y() > 0.73) << place.transpose() << " at " << world.time() << " s";
+    }
+  }
+  EXPECT_EQ(test::budget_of(world).ledger.left_patch, 0);
+}
+
 /// 278 cubic metres a second into a basin of 25: the film takes what finds no room, and no step takes minutes.
 TEST(OilSpill, AFloodOfOilEndsInTheFilm) {
   Scene scene = test::oily_basin(OilModel::kBoth);

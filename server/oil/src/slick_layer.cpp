@@ -192,7 +192,7 @@ SlickReport SlickLayer::advance(double dt, const SlickSurroundings& surroundings
   surroundings.sample(w.positions, w.states);
 
   refresh_film();
-  move(dt, report);
+  move(dt, surroundings, report);
   weather(dt);
   leak_under_booms(w.barriers, w.contacts, settings_.oil.density, settings_.water_density, dt, state_.elements,
                    state_.booms);
@@ -201,12 +201,21 @@ SlickReport SlickLayer::advance(double dt, const SlickSurroundings& surroundings
   std::erase_if(state_.elements, [](const SlickElement& e) { return e.mass <= 0; });
   state_.booked.recovered += skim(settings_.oil.density, dt, state_.elements, state_.skimmers);
   split_large(settings_.largest_radius, settings_.most_elements, w.barriers, state_.elements);
+  if (settings_.patch)
+    for (SlickElement& e : state_.elements) e.position = settings_.patch->keep(e.position);
   keep_within_bound();
   report.elements = state_.elements.size();
   return report;
 }
 
-void SlickLayer::move(double dt, SlickReport& report) {
+/// Where oil ends that would go from one place to another, for the closed sides of the patch, hulls and walls.
+Eigen::Vector2d SlickLayer::stop_at_walls(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const SurfaceState& s,
+                                          const SlickSurroundings& surroundings) const {
+  const Eigen::Vector2d kept = settings_.patch ? settings_.patch->keep(to) : to;
+  return s.covered || (kept - from).norm() < s.room ? kept : surroundings.go(from, kept, s);
+}
+
+void SlickLayer::move(double dt, const SlickSurroundings& surroundings, SlickReport& report) {
   Workspace& w = *work_;
   w.contacts.clear();
   w.stuck.assign(state_.elements.size(), 0);
@@ -230,10 +239,14 @@ void SlickLayer::move(double dt, SlickReport& report) {
       ++report.pushed_out;
       to = e.position + s.way_out;
     }
+    to = stop_at_walls(e.position, to, s, surroundings);
     if (!w.barriers.empty()) {
       const HeldMove held = w.barriers.hold(e.position, to, std::max(kClearance * disc_radius(e), kLeastClearance));
-      if (held.held) w.contacts.push_back({i, held.segment, held.side, s.water_velocity});
-      to = held.position;
+      if (held.held) {
+        w.contacts.push_back({i, held.segment, held.side, s.water_velocity});
+        to = stop_at_walls(e.position, held.position, s, surroundings);
+        if (to != held.position && w.barriers.crossed(e.position, to)) to = e.position;
+      }
       w.stuck[i] = (to - e.position).dot(drift) < 0.5 * drift.squaredNorm();
     }
     e.position = to;
@@ -269,6 +282,7 @@ void SlickLayer::drop_beyond_patch(SlickReport& report) {
   if (!settings_.patch) return;
   const SlickPatch& patch = *settings_.patch;
   for (SlickElement& e : state_.elements) {
+    e.position = patch.keep(e.position);  // oil that has leaked under a boom
     if ((e.position.array() >= patch.min.array()).all() && (e.position.array() <= patch.max.array()).all()) continue;
     state_.booked.left_patch += e.mass;
     if (e.mass > 0) ++report.left_patch;

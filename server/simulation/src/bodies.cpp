@@ -126,6 +126,11 @@ bool Bodies::covers(const Eigen::Vector3d& point, double clearance) const {
   });
 }
 
+void Bodies::signed_distances(const Eigen::Vector3d& point, double limit, std::vector<double>& each) const {
+  each.clear();
+  for (const Body& body : bodies_) each.push_back(body.shape.signed_distance(to_body(body.state, point), limit));
+}
+
 bool Bodies::accept(const BodyPose& pose, double now) {
   for (Body& body : bodies_)
     if (body.settings.id == pose.body && body.driven) return body.driven->accept(pose, now);

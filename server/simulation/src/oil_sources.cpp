@@ -26,7 +26,8 @@ void OilSpill::advance(double dt, const SpillSea& sea, FluidState& fluid) {
   if (film_wanted) surface_.build(fluid, fallback_level_);
   run_sources(dt, sea, fluid);
   if (!film_wanted) return;
-  static_cast<void>(layer_.advance(dt, SpillSurroundings(sea, surface_, origin_, spacing_)));
+  static_cast<void>(layer_.advance(dt, SpillSurroundings(sea, surface_, origin_, *layer_.settings().patch,
+                                                         fallback_level_ + origin_.z(), spacing_)));
   since_exchange_ += dt;
   if (model_ != OilModel::kBoth || since_exchange_ < kExchangeInterval) return;
   since_exchange_ = 0.0;

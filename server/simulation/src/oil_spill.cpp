@@ -43,6 +43,8 @@ SlickSettings film_settings(const Scene& scene) {
   settings.evaporation = oil.evaporation;
   settings.emulsification = oil.emulsification;
   settings.patch = SlickPatch{scene.tank.min.head<2>(), scene.tank.max.head<2>()};
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    settings.patch->closed[axis] = scene.tank_edges[axis] != TankEdge::kPeriodic;
   if (oil.model == OilModel::kBoth)
     settings.exchange = ParticleExchange{1.5 * d, to_kilograms(to_milligrams(oil.properties.density * d * d * d))};
   return settings;

@@ -6,8 +6,7 @@ namespace pelagos {
 
 namespace {
 
-constexpr int kDirections = 8, kRings = 16;  // of the search for open water beside a hull
-constexpr double kFirstRing = 0.5;           // spacings; each ring is half as far again
+constexpr double kRoom = 1.0;  ///< spacings: how far hulls are looked for around oil
 
 }  // namespace
 
@@ -36,7 +35,7 @@ SurfaceState SpillSurroundings::at(const Eigen::Vector2d& position, const Air::M
   const Eigen::Vector2d local = position - origin_.head<2>();
   const auto surface = surface_.at(local);
   state.water = surface.has_value();
-  state.height = (surface ? surface->height : 0.0) + origin_.z();
+  state.height = surface ? surface->height + origin_.z() : level_;
   if (surface) state.water_velocity = surface->velocity.head<2>();
   if (sea_.current != nullptr)
     state.water_velocity +=
@@ -48,21 +47,26 @@ SurfaceState SpillSurroundings::at(const Eigen::Vector2d& position, const Air::M
   return state;
 }
 
+OpenWater SpillSurroundings::water_at(double height) const {
+  const bool sunken = height < level_ - 0.5 * spacing_;
+  return {sea_.bodies, patch_, {height, sunken ? level_ : height}, spacing_};
+}
+
 void SpillSurroundings::find_way_out(const Eigen::Vector2d& position, SurfaceState& state) const {
-  const auto covered = [&](const Eigen::Vector2d& place) {
-    return sea_.bodies.covers({place.x(), place.y(), state.height}, 0.25 * spacing_);
-  };
-  state.covered = covered(position);
-  if (!state.covered) return;
-  double distance = kFirstRing * spacing_;
-  for (int ring = 0; ring < kRings; ++ring, distance *= 1.5)
-    for (int k = 0; k < kDirections; ++k) {
-      const double angle = 2.0 * M_PI * k / kDirections;
-      const Eigen::Vector2d way = distance * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-      if (covered(position + way)) continue;
-      state.way_out = way;
-      return;
-    }
+  const OpenWater water = water_at(state.height);
+  const double distance = water.distance(position, kRoom * spacing_);
+  state.covered = distance < 0.0;
+  if (!state.covered) {
+    state.room = distance >= kRoom * spacing_ ? 0.5 * distance : 0.0;
+    return;
+  }
+  const auto is_wet = [&](const Eigen::Vector2d& place) { return surface_.at(place - origin_.head<2>()).has_value(); };
+  if (const auto way = water.way_out(position, state.water_velocity, is_wet)) state.way_out = *way;
+}
+
+Eigen::Vector2d SpillSurroundings::go(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                                      const SurfaceState& state) const {
+  return water_at(state.height).go(from, to);
 }
 
 }  // namespace pelagos

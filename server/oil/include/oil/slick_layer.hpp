@@ -56,6 +56,9 @@ struct SlickReport {
 /// (rho^2 nu))^(1/4), is left out: it drives films that are thinner than the terminal thickness, and so is the oil's
 /// own viscosity.
 ///
+/// At hulls, walls and closed sides of the patch (SlickSurroundings::go, SlickPatch::closed) elements stop and keep the
+/// part of their way along them; none is lost there.
+///
 /// At booms (Boom) the film piles up. Held oil rests on water that passes below, whose boundary layer does not grow
 /// with time; there it spreads against the current at most as fast as a front of Froude number 1, sqrt(g' h), so that a
 /// pile thickens until g' h = U^2.
@@ -113,7 +116,9 @@ class SlickLayer {
 
   void add(Milligrams mass, const Eigen::Vector2d& position, double radius);
   void keep_within_bound();
-  void move(double dt, SlickReport& report);
+  [[nodiscard]] Eigen::Vector2d stop_at_walls(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                                              const SurfaceState& state, const SlickSurroundings& surroundings) const;
+  void move(double dt, const SlickSurroundings& surroundings, SlickReport& report);
   void weather(double dt);
   void drop_beyond_patch(SlickReport& report);
   void refresh_film();

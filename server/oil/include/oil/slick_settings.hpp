@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -9,9 +11,18 @@
 
 namespace pelagos {
 
-/// Where the simulation ends: oil that leaves is taken out and counted.
+/// Where the simulation ends: oil stops at closed sides; what leaves over the others is taken out and counted.
 struct SlickPatch {
-  Eigen::Vector2d min, max;  ///< m, world; min below max
+  Eigen::Vector2d min, max;                  ///< m, world; min below max
+  std::array<bool, 2> closed{false, false};  ///< for x, y
+
+  /// The place, or that at the closed side nearest to it.
+  [[nodiscard]] Eigen::Vector2d keep(const Eigen::Vector2d& place) const {
+    Eigen::Vector2d kept = place;
+    for (Eigen::Index axis = 0; axis < 2; ++axis)
+      if (closed[static_cast<std::size_t>(axis)]) kept[axis] = std::clamp(place[axis], min[axis], max[axis]);
+    return kept;
+  }
 };
 
 /// Oil that piles up thicker than a particle goes back to the particles.

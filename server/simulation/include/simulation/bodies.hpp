@@ -55,6 +55,10 @@ class Bodies {
   /// Whether a point (m, world) is inside a hull or closer to it than `clearance`.
   [[nodiscard]] bool covers(const Eigen::Vector3d& point, double clearance) const;
 
+  /// Of each body, in order: the distance of a point (m, world) to its surface, m, negative inside; no farther than
+  /// +-limit.
+  void signed_distances(const Eigen::Vector3d& point, double limit, std::vector<double>& each) const;
+
   /// Takes a validated pose. False if no body follows poses under its id or it is not newer than the last one.
   bool accept(const BodyPose& pose, double now);
 
