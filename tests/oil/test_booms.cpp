@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "slick_fixture.hpp"
+#include "values/oil_limits.hpp"
 
 namespace pelagos {
 namespace {
@@ -179,6 +180,62 @@ TEST(Booms, KeepSlicksApart) {
   layer.advance(0.1, PlacedSurroundings());
   ASSERT_EQ(layer.elements().size(), 2u);
   EXPECT_EQ(layer.elements()[0].position, Eigen::Vector2d(-0.6, 0.0));
+}
+
+/// A zigzag of `points` points about the origin.
+Boom zigzag(std::size_t points, double width) {
+  Boom boom;
+  for (std::size_t i = 0; i < points; ++i)
+    boom.line.emplace_back(width * (static_cast<double>(i) / static_cast<double>(points) - 0.5),
+                           (i % 2 == 0 ? -0.5 : 0.5) * width);
+  return boom;
+}
+
+TEST(Booms, AreBoundInNumberAndInPoints) {
+  SlickLayer layer(plain_settings());
+  for (std::size_t i = 0; i < kMostBoomPoints / 1000; ++i)
+    ASSERT_FALSE(layer.set_boom("long " + std::to_string(i), zigzag(1000, 100.0)));
+  EXPECT_EQ(layer.set_boom("b", straight_boom()),
+            "line: points = 2; allowed: at most 0, as all booms together have at most 4000 and the others have 4000");
+  ASSERT_FALSE(layer.set_boom("long 0", zigzag(500, 100.0))) << "in the place of the one of that name";
+  for (std::size_t i = layer.state().booms.size(); i < kMostBooms; ++i)
+    ASSERT_FALSE(layer.set_boom("b" + std::to_string(i), straight_boom()));
+  EXPECT_EQ(layer.set_boom("b", straight_boom()), "there are 100 booms; allowed: at most 100; remove one first");
+  ASSERT_FALSE(layer.remove_boom("b50"));
+  EXPECT_FALSE(layer.set_boom("b", straight_boom()));
+}
+
+TEST(Booms, DoTheSameInWhateverOrderTheyAreSet) {
+  // Setting, replacing and removing one boom must leave what setting the rest alone does.
+  SlickLayer some(plain_settings()), all(plain_settings());
+  ASSERT_FALSE(some.set_boom("a", zigzag(70, 30.0)));
+  ASSERT_FALSE(some.set_boom("c", pocket()));
+  for (const char* name : {"d", "b", "c", "0"}) ASSERT_FALSE(all.set_boom(name, straight_boom()));
+  ASSERT_FALSE(all.set_boom("c", pocket()));
+  ASSERT_FALSE(all.set_boom("a", zigzag(70, 30.0)));
+  for (const char* name : {"0", "b", "d"}) ASSERT_FALSE(all.remove_boom(name));
+  for (SlickLayer* layer : {&some, &all}) {
+    release_disc(*layer, 200.0, {-8.0, 0.0}, 3.0, 60);
+    run(*layer, PlacedSurroundings(moving({0.5, 0.1})), 20.0, 0.2);
+  }
+  ASSERT_EQ(some.elements().size(), all.elements().size());
+  for (std::size_t i = 0; i < some.elements().size(); ++i)
+    EXPECT_EQ(some.elements()[i].position, all.elements()[i].position);
+}
+
+TEST(Booms, OfManyPointsHoldAsOneOfFewDoes) {
+  // A straight boom of a thousand points, cut into stretches, and one of two.
+  SlickLayer few(plain_settings()), many(plain_settings());
+  Boom cut;
+  for (int i = 0; i < 1000; ++i) cut.line.emplace_back(0.0, -50.0 + 0.1001 * i);
+  ASSERT_FALSE(few.set_boom("b", Boom{{cut.line.front(), cut.line.back()}}));
+  ASSERT_FALSE(many.set_boom("b", cut));
+  for (SlickLayer* layer : {&few, &many}) {
+    release_disc(*layer, 100.0, {-5.0, 0.0}, 2.0, 40);
+    run(*layer, PlacedSurroundings(moving({0.3, 0.1})), 60.0, 0.2);
+    EXPECT_EQ(mass_beyond(*layer, 0.0), 0.0);
+  }
+  EXPECT_LT((centre_of_mass(few) - centre_of_mass(many)).norm(), 0.01);
 }
 
 TEST(Booms, RefuseWhatIsNoBoom) {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "slick_fixture.hpp"
+#include "values/oil_limits.hpp"
 
 namespace pelagos {
 namespace {
@@ -84,6 +85,13 @@ TEST(Skimmers, ClearASlickToTheLastMilligram) {
   run(layer, PlacedSurroundings(), 10.0, 1.0);
   EXPECT_TRUE(layer.elements().empty());
   EXPECT_EQ(layer.ledger().recovered, to_milligrams(50.0));
+}
+
+TEST(Skimmers, AreBoundInNumber) {
+  SlickLayer layer(plain_settings());
+  for (std::size_t i = 0; i < kMostSkimmers; ++i) ASSERT_FALSE(layer.set_skimmer("s" + std::to_string(i), Skimmer{}));
+  EXPECT_EQ(layer.set_skimmer("more", Skimmer{}), "there are 100 skimmers; allowed: at most 100; remove one first");
+  EXPECT_FALSE(layer.set_skimmer("s7", Skimmer{})) << "it is there already";
 }
 
 TEST(Skimmers, RefuseWhatIsNoSkimmer) {

@@ -4,6 +4,7 @@
 
 #include "messages/given_names.hpp"
 #include "scene_text.hpp"
+#include "values/oil_limits.hpp"
 
 namespace pelagos {
 namespace {
@@ -101,6 +102,40 @@ TEST(GivenNames, ListEightAtMost) {
   EXPECT_THAT(find_unknown_name(OilCommand{RemoveSkimmer{"x"}}, given)->what,
               AllOf(HasSubstr("\"rig 0\", \"rig 1\", \"rig 10\""), HasSubstr(" and 4 more")));
   EXPECT_THAT(find_unknown_name(RemoveProbe{99}, given)->what, HasSubstr("allowed: 1, 2, 3, 4, 5, 6, 7, 8 and 4 more"));
+}
+
+/// `count` events that each set a boom of its own, of `points` points.
+std::string booms(int count, int points) {
+  std::string line, text = "oil { type: \"diesel\" model: SLICK } ";
+  for (int k = 0; k < points; ++k)
+    line += "point { x: " + std::to_string(0.15 * k) + " y: " + (k % 2 == 0 ? "0" : "1") + " } ";
+  for (int k = 0; k < count; ++k)
+    text += "event { at: " + std::to_string(k) + " set_boom { name: \"b" + std::to_string(k) + "\" " + line + "} } ";
+  return text;
+}
+
+TEST(SceneOilEvents, HaveRoomForSoManyBoomsAndPoints) {
+  EXPECT_TRUE(read_with(booms(100, 2)));
+  EXPECT_TRUE(read_with(booms(101, 2) + "event { at: 99.5 remove_boom { name: \"b3\" } }")) << "one is gone by then";
+  EXPECT_THAT(read_with(booms(101, 2)).report(),
+              AllOf(HasSubstr("event[100].set_boom"), HasSubstr("there are 100 booms; allowed: at most 100")));
+  EXPECT_TRUE(read_with(booms(4, 1000)));
+  EXPECT_THAT(read_with(booms(5, 1000)).report(),
+              AllOf(HasSubstr("event[4].set_boom.point"), HasSubstr("has 1000 points; allowed: at most 0")));
+}
+
+TEST(GivenNames, TellWhereThereIsNoRoom) {
+  GivenNames given;
+  for (std::size_t k = 0; k < kMostSkimmers; ++k)
+    given.follow(OilCommand{SetSkimmer{"rig " + std::to_string(k), {1.0, 1.0}, 1.0, 1.0}});
+  EXPECT_EQ(find_no_room(OilCommand{SetSkimmer{"more", {1.0, 1.0}, 1.0, 1.0}}, given)->what,
+            "there are 100 skimmers; allowed: at most 100; remove one first");
+  EXPECT_FALSE(find_no_room(OilCommand{SetSkimmer{"rig 7", {1.0, 1.0}, 1.0, 1.0}}, given));
+  ProbeSettings probe;
+  for (probe.id = 1; probe.id <= kMostProbes; ++probe.id) given.follow(SetProbe{probe});
+  EXPECT_EQ(find_no_room(SetProbe{probe}, given)->what, "there are 256 probes; allowed: at most 256; remove one first");
+  probe.id = 5;
+  EXPECT_FALSE(find_no_room(SetProbe{probe}, given));
 }
 
 TEST(CommandSite, ABoomNeedsAPieceInTheTank) {

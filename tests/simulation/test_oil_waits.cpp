@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "oily_basin.hpp"
+#include "values/oil_limits.hpp"
 #include "world_access.hpp"
 
 namespace pelagos {
@@ -88,6 +89,18 @@ TEST(OilWaits, ASourceThatIsStoppedBringsOutWhatHasFlowed) {
   EXPECT_NEAR(to_kilograms(test::budget_of(world).ledger.released), 0.1 * time * 877.0, 1e-3);
   EXPECT_EQ(test::budget_of(world).held_back, 0.0);
   EXPECT_TRUE(test::budget_of(world).sources.empty());
+}
+
+TEST(OilWaits, NotForOneSourceTooMany) {
+  World world(test::oily_basin(OilModel::kSlick), {1, nullptr, {}});
+  ReleaseOil source = source_at(2.5, 2.0, 0.5);
+  for (std::size_t i = 0; i < kMostReleases; ++i) {
+    source.name = "source " + std::to_string(i);
+    ASSERT_EQ(world.apply(OilCommand{source}), std::nullopt);
+  }
+  EXPECT_EQ(world.apply(OilCommand{source}), std::nullopt) << "in the place of the one of that name";
+  source.name = "more";
+  EXPECT_THAT(world.apply(OilCommand{source}), Optional(HasSubstr("100 sources are running; allowed: at most 100")));
 }
 
 TEST(OilWaits, NotInAHullThatIsNoWiderThanItsReach) {

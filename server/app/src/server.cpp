@@ -79,8 +79,10 @@ ControlHooks Server::control_hooks() {
   hooks.scheduled = [this] { return commands_.scheduled(); };
   hooks.wind_before = [this](std::optional<double> at) { return commands_.wind_before(at); };
   hooks.find_misfit = [this, site = command_site(options_.scene)](const Command& c, std::optional<double> at) {
-    const auto misfit = find_misfit(c, site);
-    return misfit ? misfit : find_unknown_name(c, commands_.names_before(at));
+    if (auto misfit = find_misfit(c, site)) return misfit;
+    const GivenNames given = commands_.names_before(at);
+    auto misfit = find_unknown_name(c, given);
+    return misfit ? misfit : find_no_room(c, given);
   };
   hooks.status = [this] { return current_status(); };
   hooks.read_air = [this](const std::vector<Eigen::Vector3d>& position) { return read_air(position); };

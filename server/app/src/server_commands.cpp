@@ -98,10 +98,12 @@ void Server::tell_names() {
   GivenNames given;
   for (const std::uint32_t id : world_->probe_ids()) given.probes.insert(id);
   if (world_->spill()) {
-    const OilBudget oil = world_->spill()->budget();
-    for (const SourceStatus& source : oil.sources) given.sources.insert(source.name);
-    for (const SkimmerStatus& skimmer : oil.skimmers) given.skimmers.insert(skimmer.name);
-    given.booms.insert(oil.booms.begin(), oil.booms.end());
+    for (const std::string& name : world_->spill()->sources()) given.sources.insert(name);
+    for (const auto& [name, skimmer] : world_->spill()->film().skimmers) given.skimmers.insert(name);
+    for (const auto& [name, boom] : world_->spill()->film().booms) {
+      given.booms.insert(name);
+      given.boom_points[name] = boom.boom.line.size();
+    }
   }
   commands_.set_names(given);
 }

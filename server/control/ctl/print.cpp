@@ -86,6 +86,10 @@ std::string describe_oil(const proto::v1::OilStatus& oil) {
   if (oil.held_back() > 0.0) text += next + mass(oil.held_back()) + " could not flow out";
   for (const auto& release : oil.release()) text += next + describe_release(release);
   for (const auto& skimmer : oil.skimmer()) text += next + describe_skimmer(skimmer);
+  if (oil.booms() > 0 || oil.skimmer_size() > 0 || oil.release_size() > 0)
+    text += next + format("%u of %u booms (%u points in all), %d of %u skimmers, %d of %u releases", oil.booms(),
+                          oil.most_booms(), oil.most_boom_points(), oil.skimmer_size(), oil.most_skimmers(),
+                          oil.release_size(), oil.most_releases());
   return text;
 }
 

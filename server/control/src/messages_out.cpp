@@ -4,6 +4,7 @@
 
 #include "messages/commands.hpp"
 #include "messages/enums_out.hpp"
+#include "values/oil_limits.hpp"
 
 namespace pelagos {
 namespace {
@@ -44,6 +45,11 @@ void fill(const OilBudget& from, proto::v1::OilStatus& to) {
   to.set_emulsion_water(from.emulsion_water);
   to.set_displaced_water(from.displaced_water);
   to.set_held_back(from.held_back);
+  to.set_booms(static_cast<std::uint32_t>(from.booms.size()));
+  to.set_most_booms(static_cast<std::uint32_t>(kMostBooms));
+  to.set_most_boom_points(static_cast<std::uint32_t>(kMostBoomPoints));
+  to.set_most_skimmers(static_cast<std::uint32_t>(kMostSkimmers));
+  to.set_most_releases(static_cast<std::uint32_t>(kMostReleases));
   for (const SourceStatus& source : from.sources) {
     proto::v1::ReleaseReport& out = *to.add_release();
     out.set_name(source.name);

@@ -17,23 +17,38 @@ namespace pelagos {
 /// Where an element ends that wanted to go from one place to another.
 struct HeldMove {
   Eigen::Vector2d position;
-  bool held = false;          ///< a boom stopped it
-  std::uint32_t segment = 0;  ///< the one that stopped it, in Barriers::segments()
-  double side = 1.0;          ///< of that segment: +1 left of it, -1 right
+  bool held = false;                    ///< a boom stopped it
+  std::uint32_t boom = 0, segment = 0;  ///< the one that stopped it, see Barriers::lines()
+  double side = 1.0;                    ///< of that segment: +1 left of it, -1 right
 };
 
-/// All booms as one set of segments.
+/// All booms, by name. A boom is placed and taken away without the others; searches look at boxes of booms, of
+/// stretches of booms, and then at segments.
 class Barriers {
  public:
   struct Segment {
     Eigen::Vector2d begin, along, normal;  ///< along and normal (to the left) are unit vectors
     double length;
-    std::uint32_t boom, index;  ///< number of the boom in the map's order, and of the segment in the boom
+  };
+  /// A stretch of a boom, or all of it.
+  struct Box {
+    Eigen::Vector2d min, max;
+    std::uint32_t begin, end;  ///< segments
+  };
+  struct Line {
+    std::string name;
+    Box box;
+    std::vector<Box> stretches;
+    std::vector<Segment> segments;
+    bool closed;
   };
 
+  /// Places a boom, or puts it in the place of the one of that name.
+  void set(const std::string& name, const Boom& boom);
+  void remove(const std::string& name);
   void build(const std::map<std::string, BoomState>& booms);
-  [[nodiscard]] bool empty() const { return segments_.empty(); }
-  [[nodiscard]] std::span<const Segment> segments() const { return segments_; }
+  [[nodiscard]] bool empty() const { return lines_.empty(); }
+  [[nodiscard]] std::span<const Line> lines() const { return lines_; }  ///< in the order of their names
 
   /// Marks the elements whose film may reach a boom; the others are quick to pass. To be called once a step.
   void mark_near(std::span<const SlickElement> elements);
@@ -52,19 +67,13 @@ class Barriers {
   [[nodiscard]] bool enclosed(const Eigen::Vector2d& place) const;
 
  private:
-  struct Box {
-    Eigen::Vector2d min, max;
-    std::uint32_t begin, end;  ///< segments
-    bool closed;
-  };
-  std::vector<Segment> segments_;
-  std::vector<Box> boxes_;
+  std::vector<Line> lines_;
   std::vector<std::uint8_t> near_;
 };
 
 /// What an element does at a boom in this step.
 struct BoomContact {
-  std::uint32_t element, segment;
+  std::uint32_t element, boom, segment;
   double side;
   Eigen::Vector2d water_velocity;
 };

@@ -6,6 +6,7 @@
 
 #include "oil/response.hpp"
 #include "oil/slick_settings.hpp"
+#include "values/oil_limits.hpp"
 #include "values/oil_mass.hpp"
 
 namespace pelagos {
@@ -104,8 +105,9 @@ std::optional<std::string> find_fault(const SlickSettings& s) {
 }
 
 std::optional<std::string> find_fault(const Boom& boom) {
-  if (boom.line.size() < 2 || boom.line.size() > 1000)
-    return describe_fault("line: points", static_cast<double>(boom.line.size()), "2 to 1000");
+  if (boom.line.size() < 2 || boom.line.size() > kMostPointsPerBoom)
+    return describe_fault("line: points", static_cast<double>(boom.line.size()),
+                          "2 to " + std::to_string(kMostPointsPerBoom));
   for (std::size_t i = 0; i < boom.line.size(); ++i) {
     if (auto fault = check_place(boom.line[i])) return "line[" + std::to_string(i) + "]." + *fault;
     if (i == 0) continue;

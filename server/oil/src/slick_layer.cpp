@@ -13,6 +13,7 @@
 #include "oil/weathering.hpp"
 #include "resampling.hpp"
 #include "skimmers.hpp"
+#include "values/oil_limits.hpp"
 
 namespace pelagos {
 
@@ -48,6 +49,20 @@ std::optional<std::string> check_name(const Map& map, const std::string& name) {
   std::string names;
   for (const auto& [other, state] : map) names += (names.empty() ? "" : ", ") + other;
   return "name = \"" + name + "\"; allowed: " + (names.empty() ? "nothing, there is none" : names);
+}
+
+std::optional<std::string> find_no_room(const std::map<std::string, BoomState>& booms, const std::string& name,
+                                        const Boom& boom) {
+  if (!booms.contains(name) && booms.size() >= kMostBooms)
+    return "there are " + std::to_string(booms.size()) + " booms; allowed: at most " + std::to_string(kMostBooms) +
+           "; remove one first";
+  std::size_t others = 0;
+  for (const auto& [other, state] : booms) others += other == name ? 0 : state.boom.line.size();
+  if (others + boom.line.size() <= kMostBoomPoints) return {};
+  return describe_fault("line: points", static_cast<double>(boom.line.size()),
+                        "at most " + std::to_string(kMostBoomPoints - others) +
+                            ", as all booms together have at most " + std::to_string(kMostBoomPoints) +
+                            " and the others have " + std::to_string(others));
 }
 
 }  // namespace
@@ -133,16 +148,20 @@ std::vector<ReturnedOil> SlickLayer::give_back() {
 
 std::optional<std::string> SlickLayer::set_boom(const std::string& name, const Boom& boom) {
   if (auto fault = find_fault(boom)) return fault;
+  if (auto fault = find_no_room(state_.booms, name, boom)) return fault;
   BoomState& state = state_.booms[name];
   surface_leaks(state);
   const std::size_t segments = boom.line.size() - 1;
   state = {boom, std::vector<SlickElement>(segments), std::vector<double>(segments, 1.0)};
-  work_->barriers.build(state_.booms);
+  work_->barriers.set(name, boom);
   return {};
 }
 
 std::optional<std::string> SlickLayer::set_skimmer(const std::string& name, const Skimmer& skimmer) {
   if (auto fault = find_fault(skimmer)) return fault;
+  if (!state_.skimmers.contains(name) && state_.skimmers.size() >= kMostSkimmers)
+    return "there are " + std::to_string(state_.skimmers.size()) + " skimmers; allowed: at most " +
+           std::to_string(kMostSkimmers) + "; remove one first";
   state_.skimmers[name].skimmer = skimmer;
   return {};
 }
@@ -151,7 +170,7 @@ std::optional<std::string> SlickLayer::remove_boom(const std::string& name) {
   if (auto fault = check_name(state_.booms, name)) return fault;
   surface_leaks(state_.booms[name]);
   state_.booms.erase(name);
-  work_->barriers.build(state_.booms);
+  work_->barriers.remove(name);
   if (state_.booms.empty())
     for (SlickElement& e : state_.elements) e.contained = false;
   return {};
@@ -243,7 +262,7 @@ void SlickLayer::move(double dt, const SlickSurroundings& surroundings, SlickRep
     if (!w.barriers.empty()) {
       const HeldMove held = w.barriers.hold(e.position, to, std::max(kClearance * disc_radius(e), kLeastClearance));
       if (held.held) {
-        w.contacts.push_back({i, held.segment, held.side, s.water_velocity});
+        w.contacts.push_back({i, held.boom, held.segment, held.side, s.water_velocity});
         to = stop_at_walls(e.position, held.position, s, surroundings);
         if (to != held.position && w.barriers.crossed(e.position, to)) to = e.position;
       }

@@ -34,6 +34,7 @@ void check_fit(const FieldReader& entry, const std::optional<CommandSite>& site,
   std::optional<Misfit> misfit;
   if (site) misfit = find_misfit(command, *site);
   if (!misfit) misfit = find_unknown_name(command, given);
+  if (!misfit) misfit = find_no_room(command, given);
   if (misfit) entry.child(entry.which("command").c_str()).fault(misfit->field.c_str(), misfit->what);
   given.follow(command);
 }

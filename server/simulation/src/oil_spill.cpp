@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "values/oil_limits.hpp"
+
 namespace pelagos {
 
 namespace {
@@ -89,6 +91,9 @@ std::optional<std::string> OilSpill::apply(const ReleaseOil& c, const Bodies& hu
         "rate: {:g} m^3/h for {:g} s are {:g} m^3, but there is room for {:g} m^3 in particles "
         "(oil.most_particles {}); allowed: less, a higher bound, or oil.model SLICK or BOTH",
         c.rate, c.duration, volume, room, most_particles_);
+  if (!sources_.contains(c.name) && sources_.size() >= kMostReleases)
+    return fmt::format("{} sources are running; allowed: at most {}; stop one, or wait until one has run out",
+                       sources_.size(), kMostReleases);
   Source& source = sources_[c.name];
   source.settings = c;
   source.left = c.duration;
@@ -144,6 +149,12 @@ OilBudget OilSpill::budget() const {
   for (const auto& [name, skimmer] : layer_.state().skimmers)
     budget.skimmers.push_back({name, skimmer.report.recovered, skimmer.report.present_rate, skimmer.report.dry});
   return budget;
+}
+
+std::vector<std::string> OilSpill::sources() const {
+  std::vector<std::string> names;
+  for (const auto& [name, source] : sources_) names.push_back(name);
+  return names;
 }
 
 OilSpill::State OilSpill::state() const {

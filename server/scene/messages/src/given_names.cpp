@@ -1,8 +1,10 @@
 #include "messages/given_names.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "messages/field_reader.hpp"
+#include "values/oil_limits.hpp"
 
 namespace pelagos {
 
@@ -32,8 +34,14 @@ struct Follower {
   void operator()(const ReleaseOil& c) const { given.sources.insert(c.name); }
   void operator()(const StopRelease& c) const { given.sources.erase(c.name); }
   void operator()(const SpillOil&) const {}
-  void operator()(const SetBoom& c) const { given.booms.insert(c.name); }
-  void operator()(const RemoveBoom& c) const { given.booms.erase(c.name); }
+  void operator()(const SetBoom& c) const {
+    given.booms.insert(c.name);
+    given.boom_points[c.name] = c.line.size();
+  }
+  void operator()(const RemoveBoom& c) const {
+    given.booms.erase(c.name);
+    given.boom_points.erase(c.name);
+  }
   void operator()(const SetSkimmer& c) const { given.skimmers.insert(c.name); }
   void operator()(const RemoveSkimmer& c) const { given.skimmers.erase(c.name); }
 };
@@ -61,7 +69,40 @@ std::optional<Misfit> find_unknown_probe(std::uint32_t id, const std::set<std::u
   return Misfit{"id", text};
 }
 
+std::optional<Misfit> one_too_many(const char* what, std::size_t present, std::size_t most) {
+  return Misfit{"", "there are " + std::to_string(present) + " " + what + "; allowed: at most " + std::to_string(most) +
+                        "; remove one first"};
+}
+
+std::optional<Misfit> find_no_room_for(const SetBoom& c, const GivenNames& given) {
+  if (!given.booms.contains(c.name) && given.booms.size() >= kMostBooms)
+    return one_too_many("booms", given.booms.size(), kMostBooms);
+  std::size_t others = 0;
+  for (const auto& [name, points] : given.boom_points) others += name == c.name ? 0 : points;
+  if (others + c.line.size() <= kMostBoomPoints) return {};
+  return Misfit{"point", "has " + std::to_string(c.line.size()) + " points; allowed: at most " +
+                             std::to_string(kMostBoomPoints - std::min(others, kMostBoomPoints)) +
+                             ", as all booms together have at most " + std::to_string(kMostBoomPoints) +
+                             " and the others have " + std::to_string(others)};
+}
+
+std::optional<Misfit> find_no_room_for(const SetSkimmer& c, const GivenNames& given) {
+  if (given.skimmers.contains(c.name) || given.skimmers.size() < kMostSkimmers) return {};
+  return one_too_many("skimmers", given.skimmers.size(), kMostSkimmers);
+}
+
+std::optional<Misfit> find_no_room_for(const auto&, const GivenNames&) { return {}; }
+
 }  // namespace
+
+std::optional<Misfit> find_no_room(const Command& command, const GivenNames& given) {
+  if (const auto* set = std::get_if<SetProbe>(&command))
+    if (!given.probes.contains(set->probe.id) && given.probes.size() >= kMostProbes)
+      return one_too_many("probes", given.probes.size(), kMostProbes);
+  const auto* oil = std::get_if<OilCommand>(&command);
+  if (oil == nullptr) return {};
+  return std::visit([&](const auto& c) { return find_no_room_for(c, given); }, *oil);
+}
 
 void GivenNames::follow(const Command& command) {
   if (const auto* oil = std::get_if<OilCommand>(&command)) std::visit(Follower{*this}, *oil);

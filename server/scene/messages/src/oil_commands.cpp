@@ -3,13 +3,14 @@
 #include <cmath>
 
 #include "commands.pb.h"
+#include "values/oil_limits.hpp"
 
 namespace pelagos {
 namespace {
 
 constexpr std::size_t kLongestName = 64;
 constexpr Range kPlaces{-1e6, 1e6, "m"};
-constexpr std::size_t kFewestPoints = 2, kMostPoints = 1000;
+constexpr std::size_t kFewestPoints = 2;
 constexpr double kLeastDistance = 0.1;  // m, between neighbours of a boom
 
 std::string read_name(const FieldReader& reader) {
@@ -36,8 +37,9 @@ std::vector<Eigen::Vector2d> read_line(const FieldReader& reader) {
                           " m from the point before; allowed: at least " + format_number(kLeastDistance) + " m");
     line.push_back(place.head<2>());
   }
-  if (line.size() < kFewestPoints || line.size() > kMostPoints)
-    reader.fault("point", "has " + std::to_string(line.size()) + " points; allowed: 2 to 1000");
+  if (line.size() < kFewestPoints || line.size() > kMostPointsPerBoom)
+    reader.fault("point",
+                 "has " + std::to_string(line.size()) + " points; allowed: 2 to " + std::to_string(kMostPointsPerBoom));
   return line;
 }
 

@@ -56,6 +56,10 @@ class OilSpill {
 
   [[nodiscard]] OilBudget budget() const;
   [[nodiscard]] std::vector<SlickDisc> discs() const { return layer_.frame().discs; }
+  /// The film, booms and skimmers.
+  [[nodiscard]] const SlickState& film() const { return layer_.state(); }
+  /// Names of the sources that run.
+  [[nodiscard]] std::vector<std::string> sources() const;
   [[nodiscard]] bool empty() const { return layer_.elements().empty() && sources_.empty() && particles_ == 0; }
 
   /// All that changes, to come back to.
