@@ -323,7 +323,7 @@ TEST(Poses, InOtherUnitsAreTold) {
 }
 
 TEST(Poses, WithTimesThatDoNotPassAreHarmless) {
-  for (const double factor : {1e-9, 1e-3, 60.0, 1e5}) {
+  for (const double factor : {1e-9, 1e-3, 60.0, 1e5, 1e150, 1e307}) {
     Stream stream;
     stream.send(60.0, 10.0, [&](double t, int k) {
       BodyPose pose = still(1.0 + factor * t);
