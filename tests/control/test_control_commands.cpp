@@ -81,6 +81,9 @@ TEST_F(ControlCommands, StatusCarriesEveryField) {
   s.frames_dropped = 12;
   s.poses_accepted = 13;
   s.poses_refused = 14;
+  s.poses_corrected = 17;
+  s.pose_refusals = {{"a reason", 14}};
+  s.open_links = {{"control 0.0.0.0:1", "everybody"}};
   s.unconverged_steps = 15;
   s.recoveries = 16;
   s.effort = {0.005, 3e-4, 1e-3};
@@ -119,6 +122,13 @@ TEST_F(ControlCommands, StatusCarriesEveryField) {
   EXPECT_EQ(m.frames_dropped(), 12u);
   EXPECT_EQ(m.poses_accepted(), 13u);
   EXPECT_EQ(m.poses_refused(), 14u);
+  EXPECT_EQ(m.poses_corrected(), 17u);
+  ASSERT_EQ(m.pose_refusals_size(), 1);
+  EXPECT_EQ(m.pose_refusals(0).reason(), "a reason");
+  EXPECT_EQ(m.pose_refusals(0).count(), 14u);
+  ASSERT_EQ(m.open_link_size(), 1);
+  EXPECT_EQ(m.open_link(0).link(), "control 0.0.0.0:1");
+  EXPECT_EQ(m.open_link(0).reach(), "everybody");
   EXPECT_EQ(m.unconverged_steps(), 15u);
   EXPECT_EQ(m.recoveries(), 16u);
   EXPECT_EQ(m.max_step(), 0.005);

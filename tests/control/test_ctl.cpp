@@ -45,7 +45,13 @@ TEST_F(Ctl, PrintsTheStatusForPeople) {
   status_.real_time_factor = 0.98;
   status_.wind = WindSettings{wind_velocity(12.0, 270.0), 2.0, 10.0, 1.5, std::nullopt};
   status_.bodies.push_back({});
+  status_.poses_corrected = 3;
+  status_.pose_refusals = {{"the time is not later", 2}};
+  status_.open_links = {{"DDS domain 7", "everybody can send poses"}};
   const Outcome outcome = ask({"status"});
+  EXPECT_THAT(outcome.out, HasSubstr("3 accepted with the velocity of their places"));
+  EXPECT_THAT(outcome.out, HasSubstr("2 refused: the time is not later"));
+  EXPECT_THAT(outcome.out, HasSubstr("OPEN       DDS domain 7: everybody can send poses"));
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.out, HasSubstr("scene      test, running"));
   EXPECT_THAT(outcome.out, HasSubstr("0.98 of real time"));
