@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "rigid/hydrostatics.hpp"
 #include "rigid/mass_properties.hpp"
@@ -218,6 +219,7 @@ class LatticeBoxes {
     for (int n = 0; n < boxes + cavities; ++n) add(n < boxes ? 1 : -1, n == 0);
   }
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
+  [[nodiscard]] bool has_cavities() const { return winding_ != covered_; }
   /// Of the cells that the winding number says are solid.
   [[nodiscard]] double volume() const {
     return static_cast<double>(std::count_if(winding_.begin(), winding_.end(), [](int w) { return w >= 1; }));
@@ -267,6 +269,19 @@ TEST(MeshUnion, BoxesOnALatticeEncloseTheCellsOfTheirWindingNumbers) {
         EXPECT_NEAR(mesh_volume(united.mesh), boxes.volume(), 1e-6) << "seed " << seed << (welded ? ", welded" : "");
       }
     }
+  }
+}
+
+TEST(MeshUnion, TheOrderOfTrianglesDoesNotMatter) {
+  // Merged into one part and mixed, nothing says which triangle belongs to which box.
+  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+    const LatticeBoxes boxes(seed);
+    if (boxes.has_cavities()) continue;
+    TriangleMesh mesh = weld_vertices(boxes.mesh(), 1e-6);
+    std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), std::mt19937(seed));
+    const MeshUnion united = unite_parts(mesh);
+    ASSERT_THAT(united.faults, IsEmpty()) << seed;
+    EXPECT_NEAR(mesh_volume(united.mesh), boxes.volume(), 1e-6) << "seed " << seed;
   }
 }
 

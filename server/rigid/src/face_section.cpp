@@ -16,6 +16,7 @@ struct Line {
   Eigen::Vector2d from, to;
   int own = 0, above = 0, below = 0;
   std::uint32_t shell = 0;
+  int repeat = 0;
 
   [[nodiscard]] double at(double x) const {
     return from.y() + (to.y() - from.y()) * ((x - from.x()) / (to.x() - from.x()));
@@ -31,7 +32,8 @@ class WindingSums {
 
   void cross(const Line& line, int sign) {
     own_ += sign * line.own;
-    if (line.own != 0) return;
+    repeats_ += sign * line.repeat;
+    if (line.own != 0 || line.repeat != 0) return;
     above_ += sign * line.above;
     below_ += sign * line.below;
     const SectionShell& shell = (*shells_)[line.shell];
@@ -91,7 +93,7 @@ class FaceSweep {
 
   void add_outline(const OutlineSegment& segment) {
     if (segment.to.x() <= range_.min().x() || segment.from.x() >= range_.max().x()) return;
-    const Line line{segment.from, segment.to, 0, segment.above, segment.below, segment.shell};
+    const Line line{segment.from, segment.to, 0, segment.above, segment.below, segment.shell, segment.repeat};
     if (line.lowest() >= range_.max().y()) return;
     if (line.from.x() == line.to.x()) {
       if (line.highest() >= range_.min().y()) stops_.push_back(line.from.x());

@@ -15,6 +15,7 @@ struct OutlineSegment {
   int above = 0, below = 0;  ///< what the shell's winding numbers change by, on the way across the segment towards +y;
                              ///< nothing where it is vertical
   std::uint32_t shell = 0;   ///< index into the shells of the section
+  int repeat = 0;            ///< 1 or -1: no outline, but an edge of a triangle that stands for the face where it lies
 };
 
 /// A shell other than the face's own.

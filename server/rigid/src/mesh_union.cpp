@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "box_tree.hpp"
 #include "face_section.hpp"
@@ -121,8 +122,10 @@ class Uniter {
 
  private:
   void find_parts() {
-    pairs_ = pair_triangles(mesh_, collect_edges(mesh_));
+    const std::vector<EdgeUse> uses = collect_edges(mesh_);
+    pairs_ = pair_triangles(mesh_, uses);
     shells_ = find_shells(mesh_.triangles.size(), pairs_);
+    find_knots(uses);
     result_.part = shells_.of;
     boxes_.resize(shells_.first.size());
     areas_.resize(shells_.first.size());
@@ -141,18 +144,49 @@ class Uniter {
     shell_tree_.emplace(boxes_);
   }
 
-  /// Parts without volume have no inside.
+  /// Edges that more than two triangles have. A part touches itself there if they are its own; and if its triangles do
+  /// not stand together in the mesh, it may be made up of pieces of several parts: both may overlap themselves.
+  void find_knots(std::span<const EdgeUse> uses) {
+    std::vector<std::uint32_t> last(shells_.first.size(), 0), count = last;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) last[shells_.of[t]] = t, ++count[shells_.of[t]];
+    at_knot_.assign(mesh_.triangles.size(), false);
+    knotted_.assign(shells_.first.size(), false);
+    shares_edges_ = knotted_;
+    for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+      if (edge.size() <= 2) return;
+      for (const EdgeUse& use : edge) {
+        const std::uint32_t shell = shells_.of[use.triangle];
+        shares_edges_[shell] = true;
+        const bool mixed = last[shell] - shells_.first[shell] + 1 != count[shell];
+        const auto same = [&](const EdgeUse& other) { return shells_.of[other.triangle] == shell; };
+        if (mixed || std::count_if(edge.begin(), edge.end(), same) > 2) at_knot_[use.triangle] = knotted_[shell] = true;
+      }
+    });
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const std::uint32_t shell = shells_.of[t];
+      if (knotted_[shell] && last[shell] - shells_.first[shell] + 1 != count[shell]) at_knot_[t] = true;
+    }
+  }
+
+  /// Parts without volume have no inside. Two triangles that lie on one another back to back where parts touch are no
+  /// part: they add nothing.
   bool check_volumes() {
     constexpr double kFlat = 1e-12;  // of area^(3/2)
     FaultList flat("part without volume");
-    for (std::size_t s = 0; s < result_.parts.size(); ++s)
-      if (!(std::abs(result_.parts[s].volume) > kFlat * std::pow(areas_[s].surface, 1.5)))
-        flat.add(words_of_flat_part(origin_, result_.parts[s]));
+    for (std::size_t s = 0; s < result_.parts.size(); ++s) {
+      MeshPart& part = result_.parts[s];
+      if (std::abs(part.volume) > kFlat * std::pow(areas_[s].surface, 1.5)) continue;
+      if (!shares_edges_[s]) flat.add(words_of_flat_part(origin_, part));
+      part.volume = 0.0;
+      knotted_[s] = true;
+    }
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (!(std::abs(result_.parts[shells_.of[t]].volume) > 0.0)) at_knot_[t] = true;
     flat.append_to(result_.faults);
     return result_.faults.empty();
   }
 
-  /// Parts whose boxes meet another's; only these are looked at.
+  /// Parts whose boxes meet another's, or that touch themselves; only these are looked at.
   void find_meeting_parts() {
     meets_.assign(boxes_.size(), false);
     for (std::uint32_t s = 0; s < boxes_.size() && work_ > 0; ++s)
@@ -181,7 +215,7 @@ class Uniter {
     return box.extend(mesh_.corner(t, 1)).extend(mesh_.corner(t, 2));
   }
 
-  [[nodiscard]] bool outward(std::uint32_t shell) const { return result_.parts[shell].volume > 0.0; }
+  [[nodiscard]] bool outward(std::uint32_t shell) const { return result_.parts[shell].volume >= 0.0; }
   [[nodiscard]] bool in_play(std::size_t t) const { return meets_[shells_.of[t]]; }
   /// Whether there is work left after so many steps.
   bool spend(std::size_t steps) {
@@ -226,24 +260,39 @@ class Uniter {
     }
   }
 
-  /// Whether a triangle of another part may come as near to a face as its thickness.
+  /// Whether a triangle of another part, or one of a part that touches itself, may come as near to a face as its
+  /// thickness.
   bool is_touched(std::uint32_t t) {
-    const FacePlane plane(mesh_, t);
-    const Eigen::AlignedBox3d box = box_of(t), wide = widened(box);
-    bool touched = false;
+    if (at_knot_[t]) return true;
+    const std::uint32_t own = shells_.of[t];
+    bool touched = knotted_[own] && is_touched_by(t, own);
     for_each_near_shell(
-        box, shells_.of[t], [&] { return !touched; },
-        [&](std::uint32_t shell) {
-          trees_[shell]->for_each(
-              [&](const Eigen::AlignedBox3d& node) { return spend(kVisit) && !touched && node.intersects(wide); },
-              [&](std::uint32_t n) {
-                const std::uint32_t other = members_[shell][n];
-                if (touched || !box_of(other).intersects(wide)) return;
-                spend(2 * kVisit);
-                touched = !is_beside(plane, other) && !is_beside(FacePlane(mesh_, other), t);
-              });
+        box_of(t), own, [&] { return !touched; }, [&](std::uint32_t shell) { touched = is_touched_by(t, shell); });
+    return touched;
+  }
+
+  bool is_touched_by(std::uint32_t t, std::uint32_t shell) {
+    const FacePlane plane(mesh_, t);
+    const Eigen::AlignedBox3d wide = widened(box_of(t));
+    bool touched = false;
+    trees_[shell]->for_each(
+        [&](const Eigen::AlignedBox3d& node) { return spend(kVisit) && !touched && node.intersects(wide); },
+        [&](std::uint32_t n) {
+          const std::uint32_t other = members_[shell][n];
+          if (touched || !box_of(other).intersects(wide) || share_corner(t, other)) return;
+          spend(2 * kVisit);
+          touched = !is_beside(plane, other) && !is_beside(FacePlane(mesh_, other), t);
         });
     return touched;
+  }
+
+  /// Neighbours in one part meet where they share a corner, which is no contact.
+  [[nodiscard]] bool share_corner(std::uint32_t a, std::uint32_t b) const {
+    if (shells_.of[a] != shells_.of[b]) return false;
+    const auto &corners = mesh_.triangles[a], &others = mesh_.triangles[b];
+    return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t vertex) {
+      return std::find(others.begin(), others.end(), vertex) != others.end();
+    });
   }
 
   /// Whether a triangle lies on one side of a plane, away from it.
@@ -292,18 +341,42 @@ class Uniter {
     segments_.clear();
     shells_here_.clear();
     const std::uint32_t own = shells_.of[t];
+    const auto add_shell = [&](std::uint32_t shell) {
+      const SectionShell seen{outward(shell), shell < own && !knotted_[shell]};
+      const auto here = static_cast<std::uint32_t>(shells_here_.size());
+      const std::size_t before = segments_.size();
+      trees_[shell]->for_each([&](const Eigen::AlignedBox3d& box) { return spend(kVisit) && strip.meets(box); },
+                              [&](std::uint32_t n) {
+                                const std::uint32_t other = members_[shell][n];
+                                add_sections(plane, other, here);
+                                if (knotted_[shell] && (shell == own ? other < t : shell < own))
+                                  add_repeat(plane, other, here);
+                              });
+      if (segments_.size() > before) shells_here_.push_back(seen);
+    };
     for_each_near_shell(
-        box_of(t), own, [] { return true; },
-        [&](std::uint32_t shell) {
-          const SectionShell seen{outward(shell), shell < own};
-          const auto here = static_cast<std::uint32_t>(shells_here_.size());
-          const std::size_t before = segments_.size();
-          trees_[shell]->for_each([&](const Eigen::AlignedBox3d& box) { return spend(kVisit) && strip.meets(box); },
-                                  [&](std::uint32_t n) { add_sections(plane, members_[shell][n], here); });
-          if (segments_.size() > before) shells_here_.push_back(seen);
-        });
-    return cut_face(corners, outward(own) ? OwnWinding{0, 1} : OwnWinding{-1, 0}, segments_, shells_here_,
-                    kTiny * size_, work_);
+        box_of(t), own, [] { return true; }, add_shell);
+    OwnWinding winding = outward(own) ? OwnWinding{0, 1} : OwnWinding{-1, 0};
+    if (knotted_[own]) {  // counted as the others are
+      add_shell(own);
+      winding = {0, 0};
+    }
+    FaceRemainder rest = cut_face(corners, winding, segments_, shells_here_, kTiny * size_, work_);
+    if (knotted_[own]) rest.areas.backed = rest.areas.buried = rest.areas.enclosed = rest.areas.joining = 0.0;
+    return rest;
+  }
+
+  /// Of triangles that lie on one another and face the same way the first stands for all. Parts that may overlap
+  /// themselves have to be asked triangle by triangle.
+  void add_repeat(const FacePlane& plane, std::uint32_t t, std::uint32_t shell) {
+    if (plane.normal.dot(mesh_.area_vector(t)) < 0.0) return;
+    for (std::size_t c = 0; c < 3; ++c)
+      if (std::abs(plane.height(mesh_.corner(t, c))) > kNear * size_) return;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Eigen::Vector2d from = plane.flat(mesh_.corner(t, c)), to = plane.flat(mesh_.corner(t, (c + 1) % 3));
+      if (from.x() <= to.x()) segments_.push_back({from, to, 0, 0, shell, 1});
+      if (from.x() > to.x()) segments_.push_back({to, from, 0, 0, shell, -1});
+    }
   }
 
   /// Adds what a triangle of another shell gives to the outlines just above and just below a face.
@@ -388,7 +461,7 @@ class Uniter {
     for (std::uint32_t s = 0; s < boxes_.size(); ++s)
       if (joins(s) && areas_[s].opening > kSome * areas_[s].surface) open[rooms.of[s]] = true;
     for (std::uint32_t s = 0; s < boxes_.size(); ++s)
-      result_.parts[s].sealed = result_.parts[s].role == PartRole::kCavity && !open[rooms.of[s]];
+      result_.parts[s].sealed = result_.parts[s].role == PartRole::kCavity && !open[rooms.of[s]] && !knotted_[s];
   }
 
   /// The outside is that of the other parts alone.
@@ -463,6 +536,8 @@ class Uniter {
   std::vector<Eigen::AlignedBox3d> boxes_;           ///< [shells]
   std::vector<ShellAreas> areas_;                    ///< [shells]
   std::vector<bool> meets_;                          ///< [shells] whether its box meets another's
+  std::vector<bool> shares_edges_;                   ///< [shells] whether edges of its have more than two triangles
+  std::vector<bool> knotted_, at_knot_;              ///< [shells], [triangles] whether it may touch or overlap itself
   std::optional<BoxTree> shell_tree_;                ///< over boxes_
   std::vector<std::vector<std::uint32_t>> members_;  ///< [shells] triangles, of those that meet others
   std::vector<std::optional<BoxTree>> trees_;        ///< [shells] over members_
