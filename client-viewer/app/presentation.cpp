@@ -35,7 +35,7 @@ void Presentation::take_scene() {
   const std::optional<SceneInfo> scene = source_.scene_info();
   if (!scene) return;
   scene_ = *scene;
-  if (scene_revision_ == 0) scene_came_ = std::chrono::steady_clock::now();
+  if (scene_revision_ == 0 || meshes_wanted_) scene_came_ = std::chrono::steady_clock::now();
   scene_revision_ = revision;
   meshes_wanted_ = false;
   renderer_->set_scene(scene_);

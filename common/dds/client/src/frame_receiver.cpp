@@ -104,9 +104,10 @@ class FrameReceiver::Implementation {
     return result;
   }
 
+  /// Silence is measured up to when we looked last: where this process was stopped, nobody was silent.
   bool alive() const {
     const Clock::rep heard = last_heard_;
-    return heard != 0 && Clock::now() - Clock::time_point(Clock::duration(heard)) < SourceWatch::kSilence;
+    return heard != 0 && Clock::duration(last_looked_ - heard) < SourceWatch::kSilence;
   }
 
   std::uint64_t scene_revision_ = 0;
@@ -124,6 +125,7 @@ class FrameReceiver::Implementation {
       } catch (const std::exception& error) {  // out of memory: this round's samples are lost, the next may do
         log_.write(std::string("receiving failed: ") + error.what());
       }
+      last_looked_ = Clock::now().time_since_epoch().count();
     }
   }
 
@@ -344,8 +346,8 @@ class FrameReceiver::Implementation {
   std::deque<std::pair<SourceWatch::Sender, SceneInfo>> other_scenes_;
 
   std::atomic<bool> stop_{false};
-  std::atomic<Clock::rep> last_heard_{0};  // ticks of the steady clock; 0: never
-  mutable std::mutex mutex_;               // guards what follows, and the public members
+  std::atomic<Clock::rep> last_heard_{0}, last_looked_{0};  // ticks of the steady clock; 0: never
+  mutable std::mutex mutex_;                                // guards what follows, and the public members
   mutable std::condition_variable arrived_;
   std::optional<SceneInfo> scene_;
   std::map<std::uint32_t, std::shared_ptr<const BodySurface>> surfaces_;  // by body

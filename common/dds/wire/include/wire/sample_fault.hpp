@@ -15,7 +15,7 @@ namespace pelagos::wire {
 /// Limits of what a viewer takes, each far beyond what a server sends.
 inline constexpr std::uint32_t kMostBodies = 64;   ///< of a scene, and of a frame
 inline constexpr std::uint32_t kMostWaves = 4096;  ///< of the far sea
-inline constexpr std::uint32_t kMostParticles = 8'000'000;
+inline constexpr std::uint32_t kMostParticles = 4'000'000;
 inline constexpr std::uint32_t kMostSlickElements = 200'000;
 inline constexpr std::size_t kLongestName = 256;      ///< bytes: of scene, build and body
 inline constexpr std::size_t kLongestMeshFile = 260;  ///< bytes: "y-up:" and the longest name that a file can have
