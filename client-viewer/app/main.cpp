@@ -6,6 +6,7 @@
 #include "app/options.hpp"
 #include "app/run.hpp"
 #include "channels/rig.hpp"
+#include "command_line/stop_signals.hpp"
 #include "source/frame_source.hpp"
 #include "text/printable.hpp"
 
@@ -40,8 +41,8 @@ int main(int argc, char** argv) {
   try {
     const auto options = pelagos::read_options(argc, argv, exit_code);
     if (!options) return exit_code;
-    std::signal(SIGTERM, request_stop);
-    std::signal(SIGINT, request_stop);
+    pelagos::on_stop_signals(request_stop);
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told like a full disk
     return run(*options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "pelagos-viewer: %s\n", pelagos::printable_lines(error.what()).c_str());

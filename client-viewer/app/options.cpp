@@ -5,6 +5,7 @@
 #include <map>
 
 #include "command_line/number_check.hpp"
+#include "command_line/parse.hpp"
 #include "version/version.hpp"
 
 namespace pelagos {
@@ -36,7 +37,7 @@ std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
   app.set_version_flag("--version", std::string("pelagos-viewer ") + kVersion);
   app.add_option("--channel", options.channel, "channel of the rig to draw")->required();
   app.add_option("--rig", options.rig, "rig file (default: rigs/ship_bridge.json of the assets)");
-  app.add_option("--domain", options.domain, "DDS domain")->check(CLI::Range(0, 230))->capture_default_str();
+  app.add_option("--domain", options.domain, "DDS domain")->check(WholeFrom(0, 230))->capture_default_str();
   app.add_option("--dds-config", options.dds_config, "Cyclone DDS XML file (default: loopback of this machine)");
   app.add_option("--assets", options.assets, "folder that holds meshes/ and rigs/");
   const auto check_size = [](const std::string& text) -> std::string {
@@ -46,8 +47,10 @@ std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
   app.add_option("--size", size, "pixels, WIDTHxHEIGHT")->check(check_size)->capture_default_str();
   const std::map<std::string, Quality> qualities = {
       {"low", Quality::kLow}, {"medium", Quality::kMedium}, {"high", Quality::kHigh}};
-  app.add_option("--quality", options.quality, "low, medium (default) or high")
-      ->transform(CLI::CheckedTransformer(qualities).description(""));
+  app.add_option_function<std::string>(
+         "--quality", [&](const std::string& name) { options.quality = qualities.at(name); },
+         "low, medium (default) or high")
+      ->check(OneOf({"low", "medium", "high"}));
   app.add_flag("--synthetic", options.synthetic, "draw a made-up sea with a ship, without a server");
   auto* headless = app.add_flag("--headless", options.headless, "no window: write pictures and a report");
   const auto add_headless = [&](const char* name, auto& value, const char* text) {
@@ -61,10 +64,8 @@ std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
   add_headless("--out", options.out, "folder for pictures and report");
   app.add_flag("--plain", options.plain, "no words in the pictures: neither PAUSED nor NO SERVER (headless)")
       ->needs(headless);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    exit_code = app.exit(error) == 0 ? 0 : 2;
+  if (const auto status = parse_command_line(app, argc, argv)) {
+    exit_code = *status;
     return std::nullopt;
   }
   read_size(size, options.width, options.height);

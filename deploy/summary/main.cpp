@@ -1,9 +1,10 @@
 // Puts the reports that the programs of one run of deploy/demo left behind into summary.json, and judges the run.
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 
+#include "command_line/parse.hpp"
+#include "files/output_file.hpp"
 #include "run_summary.hpp"
 #include "version/version.hpp"
 
@@ -13,13 +14,10 @@ using namespace pelagos;
 
 constexpr int kOk = 0;
 constexpr int kFailed = 1;
-constexpr int kBadArguments = 2;
 
 void write_summary(const std::filesystem::path& file, const nlohmann::ordered_json& summary) {
-  std::ofstream output(file);
-  output << summary.dump(2) << "\n";
-  output.close();
-  if (!output) throw RunFileError(file.string() + ": cannot be written; check the folder and the space left");
+  const std::string fault = write_whole_file(file, summary.dump(2) + "\n");
+  if (!fault.empty()) throw RunFileError(fault);
 }
 
 int run(const std::filesystem::path& folder, const RunFacts& facts) {
@@ -48,11 +46,7 @@ int main(int argc, char** argv) {
   app.add_option("--domain", facts.domain, "DDS domain that it ran in")->required();
   app.add_option("--seconds", facts.seconds, "how long it was to run, s")->required();
   app.add_option("--wall-seconds", facts.wall_seconds, "how long it took, s")->required();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kOk : kBadArguments;
-  }
+  if (const auto status = parse_command_line(app, argc, argv)) return *status;
   try {
     return run(folder, facts);
   } catch (const std::exception& error) {

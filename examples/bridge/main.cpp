@@ -15,6 +15,8 @@
 #include <map>
 #include <thread>
 
+#include "command_line/parse.hpp"
+#include "command_line/stop_signals.hpp"
 #include "options.hpp"
 #include "pelagos.h"  // generated from idl/pelagos.idl
 #include "pelagos_dds/entities.hpp"
@@ -161,13 +163,8 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app("Sends the track of a ship to a Pelagos server over DDS.", "pelagos-example-bridge");
   describe_options(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kOk : kBadArguments;
-  }
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
+  if (const auto status = parse_command_line(app, argc, argv)) return *status;
+  on_stop_signals(request_stop);
   options.dds.log = [](std::string_view line) {
     std::fprintf(stderr, "pelagos-example-bridge: %.*s\n", static_cast<int>(line.size()), line.data());
   };

@@ -11,10 +11,10 @@ namespace pelagos::example {
 
 void describe_options(CLI::App& app, Options& o) {
   app.set_version_flag("--version", std::string("pelagos-example-bridge ") + kVersion);
-  app.add_option("--domain", o.dds.domain, "DDS domain")->check(CLI::Range(0, 230))->capture_default_str();
+  app.add_option("--domain", o.dds.domain, "DDS domain")->check(WholeFrom(0, 230))->capture_default_str();
   app.add_option("--dds-config", o.dds.config_file, "Cyclone DDS configuration file (default: loopback)");
   app.add_option("--body", o.body, "id of the body; 1 is own ship")
-      ->check(CLI::Range(1, 1000000))
+      ->check(WholeFrom(1, 1000000))
       ->capture_default_str();
   app.add_option("--sender", o.sender, "number that tells this bridge from others")->capture_default_str();
   app.add_option("--duration", o.duration, "s (default: length of the track file, or 60)")->check(NumberFrom(0.0, 1e7));

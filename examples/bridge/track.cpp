@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <sstream>
+
+#include "text/characters.hpp"
+#include "text/decimal.hpp"
+#include "text/nearest_name.hpp"
 
 namespace pelagos::example {
 namespace {
@@ -30,51 +35,111 @@ constexpr std::array kColumns = {
     Column{"roll_deg", &ShipState::roll_deg, 180.0, true},
 };
 
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> fields;
-  std::istringstream stream(line);
-  for (std::string field; std::getline(stream, field, ',');) {
-    const auto first = field.find_first_not_of(" \t\r");
-    const auto last = field.find_last_not_of(" \t\r");
-    fields.push_back(first == std::string::npos ? "" : field.substr(first, last - first + 1));
+/// How a file separates its columns, and how its numbers are written: comma and point, or, as spreadsheets of many
+/// countries write them, semicolon or tab, and a decimal comma.
+struct Dialect {
+  char separator = ',';
+  bool decimal_comma = false;
+};
+
+/// By the line that names the columns.
+Dialect dialect_of(const std::string& line) {
+  if (line.find(';') != std::string::npos) return {';', true};
+  const bool tabs = line.find('\t') != std::string::npos && line.find(',') == std::string::npos;
+  return tabs ? Dialect{'\t', true} : Dialect{};
+}
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  const auto last = text.find_last_not_of(" \t\r");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+/// Fields between separators, which quotes may enclose.
+std::vector<std::string> split(const std::string& line, char separator) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') {
+      quoted = !quoted;
+    } else if (c == separator && !quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
   }
+  for (std::string& field : fields) field = trimmed(field);
   return fields;
 }
 
-bool parse_number(const std::string& text, double& value) {
-  char* end = nullptr;
-  value = std::strtod(text.c_str(), &end);
-  return !text.empty() && end == text.c_str() + text.size() && std::isfinite(value);
+/// Without empty fields at the end, as spreadsheets leave them, as long as more than `wanted` are there.
+void drop_empty_end(std::vector<std::string>& fields, std::size_t wanted) {
+  while (fields.size() > wanted && fields.back().empty()) fields.pop_back();
 }
 
-/// For each column of the file the known column that it is, or null.
-std::string match_columns(const std::vector<std::string>& names, std::vector<const Column*>& columns) {
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// Reads a number in the file's dialect. @return why it is none; empty if it is one
+std::string parse_number(std::string text, const Dialect& dialect, double& value) {
+  if (dialect.decimal_comma && std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos)
+    std::replace(text.begin(), text.end(), ',', '.');
+  const std::string fault = fault_of_number(text, NumberKind::kReal);
+  value = read_decimal(text).value_or(std::numeric_limits<double>::infinity());
+  return fault;
+}
+
+/// For each column of the file the known column that it is, or null. @return what is wrong; empty if nothing
+std::string match_columns(std::vector<std::string> names, std::vector<const Column*>& columns) {
+  for (std::string& name : names) name = lower_case(name);
   columns.assign(names.size(), nullptr);
+  std::vector<std::string> strangers = names, missing;
   for (const Column& column : kColumns) {
     const auto found = std::find(names.begin(), names.end(), column.name);
-    if (found != names.end()) {
-      columns[static_cast<std::size_t>(found - names.begin())] = &column;
-    } else if (!column.optional) {
-      return std::string("column '") + column.name +
-             "' is missing; the first line must name time, east, north, heading_deg";
+    if (found == names.end()) {
+      missing.emplace_back(column.name);
+      continue;
     }
+    if (std::count(names.begin(), names.end(), column.name) > 1)
+      return std::string("column '") + column.name + "' is named twice";
+    columns[static_cast<std::size_t>(found - names.begin())] = &column;
+    strangers.erase(std::find(strangers.begin(), strangers.end(), column.name));
   }
+  constexpr const char* kKnown = "; needed: time, east, north, heading_deg; possible: up, pitch_deg, roll_deg";
+  for (const std::string& stranger : strangers)
+    if (const std::string meant = nearest_name(stranger, missing); stranger.size() >= 4 && !meant.empty())
+      return "column '" + stranger + "' is not known; did you mean '" + meant + "'?" + kKnown;
+  for (const Column& column : kColumns)
+    if (!column.optional && std::find(missing.begin(), missing.end(), column.name) != missing.end())
+      return std::string("column '") + column.name + "' is missing; this line names " + listed(names) + kKnown;
   return "";
 }
 
-std::string read_point(const std::vector<std::string>& fields, const std::vector<const Column*>& columns,
-                       ShipState& point) {
+std::string read_point(std::vector<std::string> fields, const std::vector<const Column*>& columns,
+                       const Dialect& dialect, ShipState& point) {
+  drop_empty_end(fields, columns.size());
   if (fields.size() != columns.size()) {
-    return std::to_string(fields.size()) + " fields; the first line names " + std::to_string(columns.size());
+    return std::to_string(fields.size()) + " fields; the line of names has " + std::to_string(columns.size()) +
+           (dialect.separator == ',' ? "; are there decimal commas? Write points, or separate the columns by semicolons"
+                                     : "");
   }
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (columns[i] == nullptr) continue;
     double& value = point.*(columns[i]->member);
-    if (!parse_number(fields[i], value) || std::abs(value) > columns[i]->largest) {
-      std::ostringstream message;
-      message << columns[i]->name << " is '" << fields[i] << "'; allowed: a number within +-" << columns[i]->largest;
-      return message.str();
-    }
+    const std::string fault = parse_number(fields[i], dialect, value);
+    if (fault.empty() && std::abs(value) <= columns[i]->largest) continue;
+    std::ostringstream message;
+    message << columns[i]->name << " is '" << fields[i] << "'" << (fault.empty() ? "" : " (" + fault + ")")
+            << "; allowed: a number within +-" << columns[i]->largest;
+    return message.str();
   }
   return "";
 }
@@ -134,16 +199,26 @@ std::optional<FileTrack> read_track(std::istream& input, const std::string& name
     error = name + ":" + std::to_string(line_number) + ": " + what;
     return std::nullopt;
   };
+  Dialect dialect;
   for (std::string line; std::getline(input, line);) {
-    ++line_number;
-    const auto fields = split(line);
-    if (line.starts_with('#') || std::all_of(fields.begin(), fields.end(), [](auto& f) { return f.empty(); })) continue;
+    if (++line_number == 1) {
+      if (const auto encoding = foreign_encoding(line); !encoding.empty())
+        return fail("the file is encoded as " + encoding + "; save it as CSV in UTF-8");
+      line = without_byte_order_mark(line);
+    }
+    if (const auto lone = line.find('\r'); lone != std::string::npos && line.find_first_not_of('\r', lone) != line.npos)
+      return fail("a carriage return stands in the line; save the file with line feeds (LF or CR LF)");
+    if (line.starts_with('#') || lower_case(line).starts_with("sep=")) continue;  // the latter is for spreadsheets
+    if (columns.empty()) dialect = dialect_of(line);
+    auto fields = split(line, dialect.separator);
+    if (std::all_of(fields.begin(), fields.end(), [](auto& field) { return field.empty(); })) continue;
     if (columns.empty()) {
+      drop_empty_end(fields, 0);
       if (const auto what = match_columns(fields, columns); !what.empty()) return fail(what);
       continue;
     }
     ShipState point;
-    if (const auto what = read_point(fields, columns, point); !what.empty()) return fail(what);
+    if (const auto what = read_point(fields, columns, dialect, point); !what.empty()) return fail(what);
     if (!track.points.empty() && point.time <= track.points.back().time)
       return fail("time must increase from line to line");
     if (track.points.size() >= kMostPoints) return fail("too many lines; allowed: 1000000");

@@ -48,9 +48,11 @@ struct Track {
   SeaMotion sea;
 };
 
-/// Reads comma-separated values. The first line names the columns: time, east, north, heading_deg are needed, up,
-/// pitch_deg, roll_deg may be left out (0), others are ignored. Empty lines and lines that start with # are skipped.
-/// On failure an empty result, and `error` says "NAME:LINE: what is wrong and what is allowed".
+/// Reads comma-separated values, in UTF-8. The first line names the columns, in capitals or not: time, east, north,
+/// heading_deg are needed, up, pitch_deg, roll_deg may be left out (0), others are ignored, unless they look misspelt.
+/// Where semicolons or tabs separate the names, as spreadsheets write them, numbers may have decimal commas. Empty
+/// lines and lines that start with # are skipped. On failure an empty result, and `error` says "NAME:LINE: what is
+/// wrong and what is allowed".
 [[nodiscard]] std::optional<FileTrack> read_track(std::istream& input, const std::string& name, std::string& error);
 
 /// Time of the last waypoint, s; infinite for an oval.

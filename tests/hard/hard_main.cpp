@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "../support/output_folder.hpp"
+#include "command_line/number_check.hpp"
+#include "command_line/parse.hpp"
 #include "hard_tables.hpp"
 #include "solver_names.hpp"
 #include "version/version.hpp"
@@ -21,26 +23,22 @@ constexpr int kLeastLongSteps = 3000;
 /// The hard cases that take minutes, and the tables of docs/hard_cases.md. Exit status 1 where a case does not pass, 2
 /// for a wrong command line or tables that cannot be written.
 int main(int argc, char** argv) {
-  CLI::App app(
-      "Hard cases of the water: step sweeps, deep water, long runs, oil, crowds. Writes NAME.csv and NAME.md.");
+  CLI::App app("Hard cases of the water: step sweeps, deep water, long runs, oil, crowds. Writes NAME.csv and NAME.md.",
+               "pelagos-hard");
   app.set_version_flag("--version", std::string("pelagos-hard ") + pelagos::kVersion);
   std::string folder = "out/hard", mode = "all";
   int steps = 100000;
   std::vector<std::string> solvers;
   app.add_option("case", mode, "Which")
-      ->check(CLI::IsMember({"sweep", "deep", "long", "oil", "crowd", "all"}))
+      ->check(pelagos::OneOf({"sweep", "deep", "long", "oil", "crowd", "all"}))
       ->capture_default_str();
   app.add_option("--out", folder, "Folder for the tables (made where missing)")->capture_default_str();
   app.add_option("--solver", solvers, "Only these solvers (default: all that the case is for)")
-      ->check(CLI::IsMember(pelagos::solver_names()));
+      ->check(pelagos::OneOf(pelagos::solver_names()));
   app.add_option("--steps", steps, "Steps of the long runs")
-      ->check(CLI::Range(kLeastLongSteps, 10000000))
+      ->check(pelagos::WholeFrom(kLeastLongSteps, 10000000))
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+  if (const auto status = pelagos::parse_command_line(app, argc, argv)) return *status;
   int failures = 0;
   const auto chosen = [&](const std::vector<std::string>& usual) { return solvers.empty() ? usual : solvers; };
   const auto wanted = [&](const char* name) { return mode == "all" || mode == name; };

@@ -131,6 +131,7 @@ void Table::write(const std::string& folder, const std::string& name) const {
     line(columns_);
     if (ruled) line(std::vector<std::string>(columns_.size(), "---"));
     for (const auto& row : rows_) line(row);
+    file.close();
     if (!file) throw std::runtime_error("cannot write " + folder + "/" + name + ending);
   };
   put(".csv", "", ",", "", false);

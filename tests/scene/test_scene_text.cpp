@@ -182,8 +182,11 @@ TEST(SceneText, CommandLogsAreReadAlike) {
   ASSERT_TRUE(read.log) << read.faults.front();
   EXPECT_EQ(read.log->header.particles, 100u);
   EXPECT_EQ(read.log->commands.at(0).before_step, 10u);
-  EXPECT_THAT(read_command_log_text("scene: \"a\" seed: 1 particles: 1\ncommand { before_step: −1 }", "a.log").faults,
+  EXPECT_THAT(read_command_log_text("scene: \"a\" seed: 1 particles: 1\ncommand { before_step: −1 }\n", "a.log").faults,
               ElementsAre(AllOf(StartsWith("a.log:2:24: before_step: "), HasSubstr("minus sign"))));
+  EXPECT_THAT(
+      read_command_log_text("scene: \"a\" seed: 1 particles: 1\ncommand { before_step: 1 clear_w", "a.log").faults,
+      ElementsAre(AllOf(StartsWith("a.log:2:"), HasSubstr("cut off: take it out"))));
 }
 
 }  // namespace

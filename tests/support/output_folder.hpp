@@ -4,15 +4,15 @@
 #include <stdexcept>
 #include <string>
 
+#include "files/output_file.hpp"
+
 namespace pelagos::test {
 
-/// Makes the folder that --out names. Throws std::runtime_error, naming the option, where that is not possible.
+/// Makes the folder that --out names and tries to write there. Throws std::runtime_error, naming the option, where that
+/// is not possible.
 inline void make_output_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw std::runtime_error("--out " + folder.string() + ": the folder cannot be made: " + error.message() +
-                             "; name one that may be written");
+  const std::string fault = fault_of_output_folder(folder);
+  if (!fault.empty()) throw std::runtime_error("--out " + folder.string() + ": " + fault);
 }
 
 }  // namespace pelagos::test

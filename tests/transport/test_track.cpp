@@ -11,6 +11,7 @@
 namespace pelagos::example {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 std::optional<FileTrack> read(const std::string& text, std::string* error = nullptr) {
@@ -58,6 +59,50 @@ TEST(TrackFile, RefusesWithLineAndReason) {
   EXPECT_THAT(error_of(header + "0,nan,2,3\n"), HasSubstr("east is 'nan'"));
   EXPECT_THAT(error_of(header + "0,1e6,2,3\n"), HasSubstr("allowed: a number within +-100000"));
   EXPECT_THAT(error_of(header + "0,1,2,3\n0,1,2,3\n"), HasSubstr("track.csv:3: time must increase"));
+}
+
+/// One waypoint after another that starts at 0 and ends at east 1.5, north -2, heading 90.
+void expect_read(const std::string& text) {
+  std::string error;
+  const auto track = read(text, &error);
+  ASSERT_TRUE(track) << text << error;
+  ASSERT_EQ(track->points.size(), 2U) << text;
+  EXPECT_EQ(track->points[1].time, 2.5) << text;
+  EXPECT_EQ(track->points[1].east, 1.5) << text;
+  EXPECT_EQ(track->points[1].north, -2.0) << text;
+  EXPECT_EQ(track->points[1].heading_deg, 90.0) << text;
+}
+
+TEST(TrackFile, ReadsWhatSpreadsheetsWrite) {
+  expect_read("\xEF\xBB\xBFtime,east,north,heading_deg\r\n0,0,0,0\r\n2.5,1.5,-2,090\r\n");
+  expect_read("\xEF\xBB\xBFTime;East;North;Heading_deg\r\n0;0;0;0\r\n2,5;1,5;-2;90,0\r\n;;;\r\n");
+  expect_read("sep=;\r\ntime;east;north;heading_deg;;\r\n0;0;0;0;;\r\n2,5;1.5;-2;90;;\r\n");
+  expect_read("time\teast\tnorth\theading_deg\n0\t0\t0\t0\n2,5\t1,5\t-2\t90\n");
+  expect_read(
+      "\"time\",\"east\",\"north\",\"heading_deg\",\"a,b\"\n\"0\",0,0,0,\n\"2.5\", 1.5 ,-2,\"90\",\"c,d\"\n\n\n");
+  expect_read("TIME , EAST , NORTH , HEADING_DEG \n0,0,0,0\n2.5,1.5,-2,90   \n   \n,,,\n");
+}
+
+TEST(TrackFile, NamesWhatItCannotRead) {
+  const std::string header = "time,east,north,heading_deg\n";
+  EXPECT_THAT(error_of(header + "0,0,0,0\n1,0,5,0,90\n"),
+              AllOf(HasSubstr("track.csv:3: 5 fields; the line of names has 4"), HasSubstr("decimal commas?")));
+  EXPECT_THAT(error_of(header + "0,\"0,5\",0,0\n"),
+              HasSubstr("track.csv:2: east is '0,5' (a decimal comma; write 0.5)"));
+  EXPECT_THAT(error_of(header + "0,0,0,90 deg\n"), HasSubstr("heading_deg is '90 deg'"));
+  EXPECT_THAT(error_of(header + "0,0x10,0,0\n"), HasSubstr("east is '0x10' (hexadecimal)"));
+  EXPECT_THAT(error_of(header + "0,0,0,−9\n"), HasSubstr("minus sign"));
+  EXPECT_THAT(error_of(header + "00:00:01,0,0,0\n"), HasSubstr("time is '00:00:01'"));
+  EXPECT_THAT(error_of(header + "0,0,0,0\r1,0,0,0\r"), HasSubstr("track.csv:2: a carriage return"));
+  EXPECT_THAT(error_of("time;east;north;heading_deg\n0;1.234,5;0;0\n"), HasSubstr("track.csv:2: east is '1.234,5'"));
+  EXPECT_THAT(error_of("zeit,east,north,heading_deg\n"),
+              AllOf(HasSubstr("column 'time' is missing; this line names zeit, east"), HasSubstr("needed: time")));
+  EXPECT_THAT(error_of("time,east,north,heading\n"),
+              HasSubstr("column 'heading' is not known; did you mean 'heading_deg'?"));
+  EXPECT_THAT(error_of("time,east,north,heading_deg,pitch\n0,0,0,0,5\n"), HasSubstr("did you mean 'pitch_deg'?"));
+  EXPECT_THAT(error_of("time,time,east,north,heading_deg\n"), HasSubstr("column 'time' is named twice"));
+  EXPECT_THAT(error_of(std::string("\xFF\xFEt\0i\0m\0e\0", 10)),
+              HasSubstr("track.csv:1: the file is encoded as UTF-16"));
 }
 
 TEST(OvalTrackTest, LapTakesCircumferenceOverSpeed) {

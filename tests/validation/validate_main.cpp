@@ -7,6 +7,8 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "command_line/number_check.hpp"
+#include "command_line/parse.hpp"
 #include "harness.hpp"
 #include "machine.hpp"
 #include "solver_names.hpp"
@@ -73,20 +75,17 @@ int main_checked(int argc, char** argv) {
   std::vector<std::string> cases{"all"}, names = case_names();
   names.emplace_back("all");
   bool list = false;
-  CLI::App app{"Runs Pelagos against closed forms and experiments. Exit status 1 if a number is out of bounds."};
+  CLI::App app{"Runs Pelagos against closed forms and experiments. Exit status 1 if a number is out of bounds.",
+               "pelagos-validate"};
   app.set_version_flag("--version", std::string("pelagos-validate ") + kVersion);
-  app.add_option("--case", cases, "Case to run, repeatable (default: all)")->check(CLI::IsMember(names));
+  app.add_option("--case", cases, "Case to run, repeatable (default: all)")->check(OneOf(names));
   app.add_option("--solver", options.solvers, "Solver, repeatable (default: each case's own choice)")
-      ->check(CLI::IsMember(solver_names()));
+      ->check(OneOf(solver_names()));
   app.add_option("--out", options.out, "Folder for the results (default: out/validate)");
-  app.add_option("--threads", options.threads, "Threads (default: all)")->check(CLI::Range(1, 256));
+  app.add_option("--threads", options.threads, "Threads (default: all)")->check(WholeFrom(1, 256));
   app.add_flag("--quick", options.quick, "Coarse runs only");
   app.add_flag("--list", list, "Only name the cases");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+  if (const auto status = parse_command_line(app, argc, argv)) return *status;
   if (list) {
     list_cases();
     return 0;

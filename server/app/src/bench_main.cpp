@@ -1,8 +1,8 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,6 +10,9 @@
 #include "bench_limits.hpp"
 #include "bench_run.hpp"
 #include "command_line/number_check.hpp"
+#include "command_line/parse.hpp"
+#include "command_line/stop_signals.hpp"
+#include "files/output_file.hpp"
 #include "machine_json.hpp"
 #include "physics/neighbor_search.hpp"
 #include "scene/read_scene.hpp"
@@ -18,6 +21,11 @@
 
 namespace pelagos {
 namespace {
+
+std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
+
+void request_stop(int) { stop_requested.store(true); }
 
 struct RunArguments {
   std::string scene_file;
@@ -33,15 +41,15 @@ void add_common_options(CLI::App& command, RunArguments& arguments) {
   command.add_option("--scene", arguments.scene_file, "Scene file")->required();
   command.add_option("--spacing", arguments.spacing, "Particle spacing, m (default: the scene's)")
       ->check(NumberFrom(1e-3, 100.0));
-  command.add_option("--threads", arguments.options.threads, "Threads (default: all)")->check(CLI::Range(1, 256));
+  command.add_option("--threads", arguments.options.threads, "Threads (default: all)")->check(WholeFrom(1, 256));
   command.add_option("--instruction-set", arguments.instruction_set, "Use no more than this")
-      ->check(CLI::IsMember({"baseline", "sse4", "avx2", "avx512"}));
+      ->check(OneOf({"baseline", "sse4", "avx2", "avx512"}));
   command.add_option("--json", arguments.json_file, "Write the result there (default: standard output)");
 }
 
 void add_run_options(CLI::App& run, RunArguments& arguments) {
   add_common_options(run, arguments);
-  run.add_option("--solver", arguments.solver, "Solver (default: the scene's)")->check(CLI::IsMember(solver_names()));
+  run.add_option("--solver", arguments.solver, "Solver (default: the scene's)")->check(OneOf(solver_names()));
   run.add_option(
          "--tolerance", arguments.tolerance,
          "Tolerance of both constraints, density and divergence; fraction of the rest density (default: the scene's)")
@@ -49,7 +57,7 @@ void add_run_options(CLI::App& run, RunArguments& arguments) {
   CLI::Option* seconds =
       run.add_option("--seconds", arguments.options.seconds, "Simulated seconds")->check(NumberFrom(1e-3, 1e6));
   run.add_option("--steps", arguments.options.steps, "So many time steps instead of --seconds")
-      ->check(CLI::Range(1, 100000000))
+      ->check(WholeFrom(1, 100000000))
       ->excludes(seconds);
   run.add_flag("--surface", arguments.options.surface, "Also extract the surface at each frame, as the server does");
 }
@@ -66,6 +74,7 @@ nlohmann::ordered_json to_json(const Scene& scene, const RunArguments& arguments
   json["boundary_particles"] = r.boundary_particles;
   add_machine(json, arguments.options.threads);
   json["steps"] = r.steps;
+  if (r.stopped) json["stopped"] = true;
   json["simulated_s"] = r.simulated_s;
   json["wall_s"] = r.wall_s;
   json["ms_per_step"] = r.wall_s * 1e3 / steps;
@@ -111,11 +120,16 @@ bool write_json(const nlohmann::ordered_json& json, const std::string& file_name
     std::cout << text << '\n';
     return true;
   }
-  std::ofstream file(file_name);
-  file << text << '\n';
-  file.close();
-  if (!file) std::cerr << "pelagos-bench: cannot write " << file_name << ": check the folder and the space left\n";
-  return static_cast<bool>(file);
+  const std::string fault = write_whole_file(file_name, text + "\n");
+  if (!fault.empty()) std::cerr << "pelagos-bench: --json: " << fault << '\n';
+  return fault.empty();
+}
+
+/// Whether the result can be written: tried before the run. False is said.
+bool try_output(const std::string& file_name) {
+  const std::string fault = file_name.empty() ? "" : fault_of_output_file(file_name);
+  if (!fault.empty()) std::cerr << "pelagos-bench: --json " << file_name << ": " << fault << '\n';
+  return fault.empty();
 }
 
 /// Returns false if this machine lacks the instruction set asked for (reported).
@@ -126,7 +140,7 @@ bool choose_instruction_set(const std::string& name) {
 }
 
 int limits(RunArguments& arguments) {
-  if (!choose_instruction_set(arguments.instruction_set)) return 1;
+  if (!try_output(arguments.json_file) || !choose_instruction_set(arguments.instruction_set)) return 1;
   const std::optional<Scene> scene = prepare_scene(arguments);
   if (!scene) return 1;
   const BenchLimits r = measure_limits(*scene, arguments.options.threads, arguments.limit_steps);
@@ -144,7 +158,8 @@ int limits(RunArguments& arguments) {
 }
 
 int run(RunArguments& arguments) {
-  if (!choose_instruction_set(arguments.instruction_set)) return 1;
+  on_stop_signals(request_stop);
+  if (!try_output(arguments.json_file) || !choose_instruction_set(arguments.instruction_set)) return 1;
   const std::optional<Scene> scene = prepare_scene(arguments);
   if (!scene) return 1;
   const bool terminal = isatty(STDERR_FILENO) == 1;
@@ -155,6 +170,7 @@ int run(RunArguments& arguments) {
     shown = percent;
     std::fprintf(stderr, "\r%s: %3d %%", scene->name.c_str(), percent);
   };
+  arguments.options.stop = &stop_requested;
   const BenchResult result = run_bench(*scene, arguments.options, progress);
   if (terminal) std::fputs("\r\033[K", stderr);
   if (result.unconverged_steps > 0)
@@ -162,6 +178,10 @@ int run(RunArguments& arguments) {
               << " steps missed a tolerance; see density_error_mean for what that costs, and raise the scene's "
                  "solver.*.max_iterations or the tolerance\n";
   if (!write_json(to_json(*scene, arguments, result), arguments.json_file)) return 1;
+  if (result.stopped) {
+    std::cerr << "pelagos-bench: stopped by a signal after " << result.steps << " steps; the result is of these\n";
+    return 1;
+  }
   return result.not_finite_peak == 0 ? 0 : 3;  // as pelagos-server; 2 is a wrong command line
 }
 
@@ -171,7 +191,8 @@ int run(RunArguments& arguments) {
 int main(int argc, char** argv) {
   CLI::App app{
       "Speed and error of the physics, without network or pacing.\n"
-      "Example: pelagos-bench run --scene scenes/dam_break.scene --tolerance 1e-3 --seconds 2"};
+      "Example: pelagos-bench run --scene scenes/dam_break.scene --tolerance 1e-3 --seconds 2",
+      "pelagos-bench"};
   app.set_version_flag("--version", std::string("pelagos-bench ") + pelagos::kVersion);
   app.require_subcommand(1);
   pelagos::RunArguments arguments;
@@ -182,12 +203,8 @@ int main(int argc, char** argv) {
       "limits", "Measure what this machine does at best with the scene's data: arithmetic, reading, gathering");
   pelagos::add_common_options(limits, arguments);
   limits.add_option("--steps", arguments.limit_steps, "Time steps before the measurement (default: 100)")
-      ->check(CLI::Range(1, 1000000));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+      ->check(pelagos::WholeFrom(1, 1000000));
+  if (const auto status = pelagos::parse_command_line(app, argc, argv)) return *status;
   try {
     return limits.parsed() ? pelagos::limits(arguments) : pelagos::run(arguments);
   } catch (const std::exception& error) {

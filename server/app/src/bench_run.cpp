@@ -63,7 +63,8 @@ class Tally {
 }  // namespace
 
 BenchResult run_bench(const Scene& scene, const BenchOptions& options, const std::function<void(double)>& progress) {
-  World world(scene, {options.threads, monotonic_ns, {}});
+  const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
+  World world(scene, {options.threads, monotonic_ns, [&](double) { return !stopped(); }});
   Tally tally(world.energy(world.measure()));
   Snapshot snapshot;
   const std::int64_t begin = monotonic_ns();
@@ -74,7 +75,7 @@ BenchResult run_bench(const Scene& scene, const BenchOptions& options, const std
   };
   CommandQueue events(scene.events, scene.wind);
   std::vector<QueuedCommand> due;
-  while (part_done() < 1.0 - 1e-9) {
+  while (part_done() < 1.0 - 1e-9 && !stopped()) {
     events.take(world.time(), due);
     for (const QueuedCommand& event : due) {  // nobody could resume: a pause does nothing
       if (const auto refusal = world.apply(event.command)) throw std::runtime_error(event.source + ": " + *refusal);
@@ -86,6 +87,7 @@ BenchResult run_bench(const Scene& scene, const BenchOptions& options, const std
     if (progress && steps % 16 == 0) progress(part_done());
   }
   BenchResult result = tally.finish();
+  result.stopped = part_done() < 1.0 - 1e-9;
   result.wall_s = static_cast<double>(monotonic_ns() - begin) * 1e-9;
   result.simulated_s = world.time();
   result.particles = world.fluid().particles.count;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -14,7 +15,8 @@ struct BenchOptions {
   double seconds = 1.0;    ///< simulated, > 0
   std::int64_t steps = 0;  ///< > 0: so many steps instead
   int threads = 1;
-  bool surface = false;  ///< also extract the surface at each frame, as the server does
+  bool surface = false;                     ///< also extract the surface at each frame, as the server does
+  const std::atomic<bool>* stop = nullptr;  ///< set from a signal handler: ends the run early
 };
 
 /// A run: speed and error together.
@@ -28,6 +30,7 @@ struct BenchResult {
   double largest_density_peak = 0;
   double energy_rise_peak = 0;  ///< largest rise above the lowest energy so far, as a part of the energy at the start
   double ns_per_pair_pass = 0;  ///< wall time of the pair loops by directed pair and pass
+  bool stopped = false;         ///< before its end
   std::int64_t unconverged_steps = 0;
   std::uint64_t outside_peak = 0, not_finite_peak = 0;  ///< particles
   std::uint64_t peak_memory_bytes = 0;

@@ -2,6 +2,8 @@
 #include <iostream>
 #include <map>
 
+#include "command_line/number_check.hpp"
+#include "command_line/parse.hpp"
 #include "mesh_report.hpp"
 #include "version/version.hpp"
 
@@ -13,24 +15,25 @@ void add_options(CLI::App& app, std::string& file, MeshQuestions& questions, boo
                                              {"z-forward-y-up", MeshAxes::kZForwardYUp}};
   app.add_option("FILE", file, "Mesh (.obj, .stl, .gltf, .glb) or a shape as primitive:box:2x1x0.5")->required();
   app.add_option("--scale", questions.options.scale, "Metres per unit of the file (default: 1)")
-      ->check(CLI::Range(0.001, 1000.0));
-  app.add_option("--axes", questions.options.axes,
-                 "The file's axes (default: x-forward-z-up; most glTF files are z-forward-y-up)")
-      ->transform(CLI::CheckedTransformer(axes));
+      ->check(NumberFrom(0.001, 1000.0));
+  app.add_option_function<std::string>(
+         "--axes", [&questions, axes](const std::string& name) { questions.options.axes = axes.at(name); },
+         "The file's axes (default: x-forward-z-up; most glTF files are z-forward-y-up)")
+      ->check(OneOf({"x-forward-z-up", "z-forward-y-up"}));
   CLI::Option* one_sided = app.add_flag("--open", open, "One side of something larger, as a sea bed");
   CLI::Option* waterline =
       app.add_option("--waterline", questions.waterline, "z of the water, m: displacement and waterplane")
-          ->check(CLI::Range(-1e6, 1e6))
+          ->check(NumberFrom(-1e6, 1e6))
           ->excludes(one_sided);
   app.add_option("--draft", questions.draft, "The same by the height of the water above the lowest point, m")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(NumberFrom(0.0, 1e6))
       ->excludes(waterline)
       ->excludes(one_sided);
   app.add_option("--density", questions.density, "Of the water, kg/m^3 (default: 1025)")
-      ->check(CLI::Range(500.0, 2000.0));
+      ->check(NumberFrom(500.0, 2000.0));
   app.add_option("--spacing", questions.spacing, "Particle spacing, m: number of boundary samples")
-      ->check(CLI::Range(0.001, 100.0));
-  app.add_option("--inset", questions.inset, "Of the samples, spacings (default: 0.61)")->check(CLI::Range(0.0, 1.0));
+      ->check(NumberFrom(0.001, 100.0));
+  app.add_option("--inset", questions.inset, "Of the samples, spacings (default: 0.61)")->check(NumberFrom(0.0, 1.0));
 }
 
 }  // namespace
@@ -39,17 +42,14 @@ void add_options(CLI::App& app, std::string& file, MeshQuestions& questions, boo
 int main(int argc, char** argv) {
   CLI::App app{
       "Whether a mesh can be a body, and what it weighs in water.\n"
-      "Example: pelagos-mesh assets/meshes/tanker_hull.obj --waterline 0 --spacing 1"};
+      "Example: pelagos-mesh assets/meshes/tanker_hull.obj --waterline 0 --spacing 1",
+      "pelagos-mesh"};
   app.set_version_flag("--version", std::string("pelagos-mesh ") + pelagos::kVersion);
   std::string file;
   pelagos::MeshQuestions questions;
   bool open = false;
   pelagos::add_options(app, file, questions, open);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+  if (const auto status = pelagos::parse_command_line(app, argc, argv)) return *status;
   if (open) questions.options.kind = pelagos::MeshKind::kOpen;
   return pelagos::report_mesh(file, questions, std::cout) ? 0 : 1;
 }

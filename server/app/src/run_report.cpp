@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "files/output_file.hpp"
 #include "machine_json.hpp"
 #include "values/wind.hpp"
 #include "version/version.hpp"
@@ -107,11 +107,11 @@ std::string write_run_report(const std::string& file, const ServerSummary& s) {
   if (s.status.current)
     json["current"] = {{"speed_m_s", s.status.current->velocity.norm()},
                        {"to_deg", current_to_deg(s.status.current->velocity)}};
-  std::ofstream out(file);
-  out << json.dump(2) << '\n';
-  out.close();
-  if (!out) return "cannot write the report " + file + ": check the folder and the space left";
-  return {};
+  if (s.status.command_log)
+    json["command_log"] = {{"file", s.status.command_log->file},
+                           {"lines_missing", s.status.command_log->waiting + s.status.command_log->lost}};
+  const std::string fault = write_whole_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return fault.empty() ? "" : "--report: " + fault;
 }
 
 }  // namespace pelagos

@@ -292,6 +292,7 @@ void Server::publish_first_frame() {
 
 void Server::refresh_status() {
   const std::int64_t now = monotonic_ns();
+  if (log_fault_told_ && now >= next_flush_ns_) watch_command_log();
   const PublisherCounters sent = publisher_->counters();
   ServerStatus status;
   {
@@ -319,6 +320,7 @@ void Server::refresh_status() {
     status_.recoveries = recoveries_;
     status_.governed = governor_.has_value();
     status_.over_budget = governor_ && governor_->over_budget();
+    if (command_log_) status_.command_log = command_log_->state();
     if (paused_) status_.real_time_factor = 0.0;
     status = status_;
   }

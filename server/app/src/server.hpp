@@ -85,6 +85,7 @@ class Server {
   // server_commands.cpp
   void open_command_log();
   void close_command_log();
+  void watch_command_log();
   std::optional<std::string> refuse_in_replay(const Command& command) const;
   ScheduleAnswer schedule(const Command& command, double at, const std::string& source);
   void announce_schedule();
@@ -158,7 +159,8 @@ class Server {
   bool closed_axes_noticed_ = false;  ///< that a current cannot flow through the tank
   double surface_s_ = 0.0;
   std::uint64_t frames_filled_ = 0;
-  std::int64_t start_ns_ = 0, next_log_ns_ = 0;
+  bool log_fault_told_ = false;  ///< that the command log cannot be written
+  std::int64_t start_ns_ = 0, next_log_ns_ = 0, next_flush_ns_ = 0;
 };
 
 }  // namespace pelagos

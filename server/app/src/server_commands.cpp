@@ -6,11 +6,18 @@
 
 #include "describe_command.hpp"
 #include "machine.hpp"
+#include "monotonic_clock.hpp"
 #include "server.hpp"
 #include "server_log.hpp"
 #include "version/version.hpp"
 
 namespace pelagos {
+
+namespace {
+
+constexpr std::int64_t kFlushIntervalNs = 1'000'000'000;
+
+}  // namespace
 
 void Server::open_command_log() {
   const Scene& scene = options_.scene;
@@ -26,9 +33,29 @@ void Server::open_command_log() {
   }
   if (options_.command_log.empty()) return;
   command_log_.emplace(options_.command_log, header);
-  if (command_log_->failed())
-    throw std::invalid_argument("cannot write the command log " + options_.command_log +
-                                ": check the folder and the space left");
+  const CommandLogState log = command_log_->state();
+  if (!log.fault.empty())
+    throw std::invalid_argument("cannot write the command log " + log.file + ": " + log.fault +
+                                "; check the folder and the space left");
+  if (log.file != options_.command_log)
+    log_warning("command log: " + options_.command_log +
+                " is the record of another run and stays as it is; this run's is " + log.file);
+}
+
+/// A full disk does not stop the sea: it is told at once, what could not be written waits, and is tried each second.
+void Server::watch_command_log() {
+  if (!command_log_) return;
+  if (log_fault_told_) command_log_->flush();
+  next_flush_ns_ = monotonic_ns() + kFlushIntervalNs;
+  const CommandLogState log = command_log_->state();
+  if (log.fault.empty() != log_fault_told_) return;  // nothing new
+  log_fault_told_ = !log.fault.empty();
+  const std::string name = "the command log " + log.file;
+  const std::string text = log_fault_told_ ? name + " cannot be written: " + log.fault +
+                                                 "; the sea goes on, and what is missing is written when there is room"
+                                           : name + " is written again; nothing is missing from it";
+  log_fault_told_ ? log_error(text) : log_info(text);
+  announce("command_log", "server", text);
 }
 
 void Server::close_command_log() {
@@ -45,7 +72,10 @@ void Server::close_command_log() {
   command_log_->write(end);
   if (poses_->counters().accepted > 0)
     log_warning("command log: poses moved bodies, and poses are not in it: a replay will not have the same bits");
-  if (command_log_->failed()) log_error("the command log " + command_log_->file() + " could not be written to its end");
+  const CommandLogState log = command_log_->state();
+  if (!log.fault.empty())
+    log_error(fmt::format("the command log {} could not be written to its end: {}; {} lines are missing", log.file,
+                          log.fault, log.waiting + log.lost));
 }
 
 std::optional<std::string> Server::refuse_in_replay(const Command& command) const {
@@ -118,7 +148,9 @@ void Server::apply(const QueuedCommand& queued) {
   const CommandNews news = describe_command(queued.command);
   announce(news.kind, queued.source, news.text);
   if (std::holds_alternative<SetCurrent>(queued.command)) notice_closed_axes();
-  if (command_log_) command_log_->write({world_->step(), world_->time(), queued.source, queued.command});
+  if (!command_log_) return;
+  command_log_->write({world_->step(), world_->time(), queued.source, queued.command});
+  watch_command_log();
 }
 
 /// @return whether it changed anything

@@ -8,7 +8,10 @@
 #include <string>
 
 #include "command_line/number_check.hpp"
+#include "command_line/parse.hpp"
+#include "command_line/stop_signals.hpp"
 #include "control/endpoint.hpp"
+#include "files/output_file.hpp"
 #include "machine.hpp"
 #include "run_report.hpp"
 #include "scene/command_log.hpp"
@@ -34,11 +37,11 @@ struct Arguments {
 void add_options(CLI::App& app, Arguments& arguments) {
   ServerOptions& options = arguments.options;
   app.add_option("--scene", arguments.scene_file, "Scene file (see docs/scenes.md)")->required();
-  app.add_option("--domain", options.domain, "DDS domain")->check(CLI::Range(0, 230));
+  app.add_option("--domain", options.domain, "DDS domain")->check(WholeFrom(0, 230));
   app.add_option("--control", arguments.control, "Address of the instructors' link; port 0 takes a free one")
       ->capture_default_str();
   app.add_option("--threads", options.threads, "Threads that advance the water (default: all)")
-      ->check(CLI::Range(1, 256));
+      ->check(WholeFrom(1, 256));
   app.add_option("--duration", options.duration, "End after so many seconds: wall clock, or simulated with --unpaced")
       ->check(NumberFrom(0.0, 1e9));
   app.add_flag("--unpaced", arguments.unpaced, "As fast as it goes instead of at the wall clock's pace");
@@ -46,7 +49,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
                  "Cyclone DDS configuration (default: CYCLONEDDS_URI, else this machine only)");
   app.add_option("--body-frame", arguments.body_frame,
                  "World frame and body axes of the bodies' states and loads that are published")
-      ->check(CLI::IsMember({"enu", "ned"}))
+      ->check(OneOf({"enu", "ned"}))
       ->capture_default_str();
   app.add_option("--report", arguments.report_file, "Write what the run reached there, as JSON, at the end");
   app.add_option("--command-log", options.command_log,
@@ -54,12 +57,25 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--replay", arguments.replay_file,
                  "Give the commands of this log again, at its steps, and end where its run ended: the same bits");
   app.add_option("--log-level", arguments.log_level, "Least level to log")
-      ->check(CLI::IsMember({"debug", "info", "warning", "error"}))
+      ->check(OneOf({"debug", "info", "warning", "error"}))
       ->capture_default_str();
+}
+
+/// Whether what the run leaves behind can be written: tried before it, not found out after it. False is said.
+bool try_outputs(const Arguments& arguments) {
+  const auto good = [](const char* option, const std::string& file, const std::string& fault) {
+    if (!file.empty() && !fault.empty())
+      std::cerr << "pelagos-server: " << option << " " << file << ": " << fault << '\n';
+    return file.empty() || fault.empty();
+  };
+  const std::string& log = arguments.options.command_log;
+  const bool report_good = good("--report", arguments.report_file, fault_of_output_file(arguments.report_file));
+  return good("--command-log", log, fault_of_output_file(log)) && report_good;
 }
 
 /// Fills the options from scene file and addresses; false if something is wrong (said).
 bool prepare(Arguments& arguments) {
+  if (!try_outputs(arguments)) return false;
   SceneResult scene = read_scene_file(arguments.scene_file);
   if (!scene) {
     std::cerr << "pelagos-server: cannot use the scene:\n" << scene.report() << '\n';
@@ -107,19 +123,16 @@ int serve(const Arguments& arguments) {
 int main(int argc, char** argv) {
   CLI::App app{
       "Ocean simulation server: advances a scene, publishes it over DDS, takes poses and an instructor's orders.\n"
-      "Example: pelagos-server --scene scenes/bridge.scene --domain 7 --control 127.0.0.1:7410"};
+      "Example: pelagos-server --scene scenes/bridge.scene --domain 7 --control 127.0.0.1:7410",
+      "pelagos-server"};
   app.set_version_flag("--version", std::string("pelagos-server ") + pelagos::kVersion);
   pelagos::Arguments arguments;
   arguments.options.threads = pelagos::describe_machine().hardware_threads;
   pelagos::add_options(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  std::signal(SIGINT, pelagos::request_stop);
-  std::signal(SIGTERM, pelagos::request_stop);
+  if (const auto status = pelagos::parse_command_line(app, argc, argv)) return *status;
+  pelagos::on_stop_signals(pelagos::request_stop);
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is told like a full disk
   try {
     if (!pelagos::prepare(arguments)) return 1;
     pelagos::start_log(arguments.log_level);

@@ -1,6 +1,8 @@
 #include "command_line.hpp"
 
 #include "command_line/number_check.hpp"
+#include "help_text.hpp"
+#include "messages/limits.hpp"
 #include "messages/parse_text.hpp"
 #include "version/version.hpp"
 
@@ -88,7 +90,8 @@ std::string read_command_text(const std::string& text, TimedCommand& command) {
   parse_text(text, command, parsed);
   if (parsed.faults.empty()) return "";
   const FieldFault& fault = parsed.faults.front();
-  return "command: " + (fault.field.empty() ? "" : fault.field + ": ") + fault.what;
+  const std::string place = fault.column > 0 ? " character " + std::to_string(fault.column) + ":" : "";
+  return "command:" + place + " " + (fault.field.empty() ? "" : fault.field + ": ") + fault.what;
 }
 
 /// A command without a time goes in its own field where it has one: servers before `command` know it there.
@@ -175,22 +178,25 @@ void CommandLine::add_commands() {
 
 void CommandLine::add_wind_options() {
   WindOptions& w = options.wind;
-  CLI::Option* speed = wind->add_option("--speed", w.speed, "Mean speed at 10 m, m/s (0 to 75)");
-  CLI::Option* beaufort = wind->add_option("--beaufort", w.beaufort, "Mean speed by Beaufort number (0 to 12)");
+  CLI::Option* speed = wind->add_option("--speed", w.speed, help_with("Mean speed at 10 m, m/s", limits::kWindSpeed));
+  CLI::Option* beaufort =
+      wind->add_option("--beaufort", w.beaufort, help_with("Mean speed by Beaufort number", limits::kBeaufort));
   CLI::Option* velocity =
       wind->add_option("--velocity", w.velocity, "Mean as a vector X Y Z TOWARDS which the air moves, m/s")
           ->expected(3);
   speed->excludes(beaufort)->excludes(velocity);
   beaufort->excludes(velocity);
-  wind->add_option("--from", w.from, "Direction it blows FROM, degrees clockwise from north (0 to 360)")
+  wind->add_option("--from", w.from,
+                   help_with("Direction it blows FROM, degrees clockwise from north", limits::kWindFrom))
       ->excludes(velocity);
-  wind->add_option("--ramp", w.ramp, "Change over so many seconds of simulated time (0 to 3600)");
-  wind->add_option("--amplitude", w.amplitude, "Largest gust of each component, m/s (0 to 30)");
-  wind->add_option("--length", w.length, "Size of the gusts, m (0.01 to 10000)");
-  wind->add_option("--beta", w.beta, "Control factor of the push (0 to 100)");
+  wind->add_option("--ramp", w.ramp, help_with("Change over so many seconds of simulated time", limits::kRamp));
+  wind->add_option("--amplitude", w.amplitude, help_with("Largest gust of each component, m/s", limits::kGust));
+  wind->add_option("--length", w.length, help_with("Size of the gusts, m", limits::kGustLength));
+  wind->add_option("--beta", w.beta, help_with("Control factor of the push", limits::kBeta));
   wind->add_option("--law", w.law, "How it pushes the water: gust, stress or paper")
-      ->check(CLI::IsMember({"gust", "stress", "paper"}));
-  wind->add_option("--roughness", w.roughness, "Roughness of the log profile above the sea, m (1e-6 to 5)");
+      ->check(OneOf({"gust", "stress", "paper"}));
+  wind->add_option("--roughness", w.roughness,
+                   help_with("Roughness of the log profile above the sea, m", limits::kRoughness));
   CLI::Option* period = wind->add_option("--period", w.period, "Pulse: period, s");
   CLI::Option* width = wind->add_option("--width", w.width, "Pulse: how long it blows of each period, s");
   period->needs(width);
@@ -201,14 +207,17 @@ void CommandLine::add_wind_options() {
 
 void CommandLine::add_current_options() {
   CurrentOptions& c = options.current;
-  CLI::Option* speed = current->add_option("--speed", c.speed, "At the surface, m/s (0 to 5)");
-  CLI::Option* to = current->add_option("--to", c.to, "Direction it sets TOWARDS, degrees clockwise from north");
+  CLI::Option* speed = current->add_option("--speed", c.speed, help_with("At the surface, m/s", limits::kCurrentSpeed));
+  CLI::Option* to = current->add_option(
+      "--to", c.to, help_with("Direction it sets TOWARDS, degrees clockwise from north", limits::kCurrentTo));
   current->add_option("--velocity", c.velocity, "As a vector X Y, m/s")->expected(2)->excludes(speed)->excludes(to);
-  current->add_option("--ramp", c.ramp, "Change over so many seconds of simulated time (0 to 3600)");
+  current->add_option("--ramp", c.ramp, help_with("Change over so many seconds of simulated time", limits::kRamp));
   current->add_option("--shear", c.shear, "How it falls with depth: none, linear or power (1/7)")
-      ->check(CLI::IsMember({"none", "linear", "power"}));
-  current->add_option("--depth", c.depth, "Where it has fallen to zero, m under the mean level");
-  current->add_option("--relaxation", c.relaxation, "Time in which the water follows, s (0.5 to 3600)");
+      ->check(OneOf({"none", "linear", "power"}));
+  current->add_option("--depth", c.depth,
+                      help_with("Where it has fallen to zero, m under the mean level", limits::kCurrentDepth));
+  current->add_option("--relaxation", c.relaxation,
+                      help_with("Time in which the water follows, s", limits::kRelaxation));
   current->add_flag("--off", c.off, "No current");
 }
 

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "command_line.hpp"
+#include "command_line/parse.hpp"
 #include "control_client.hpp"
 #include "print.hpp"
 #include "text/printable.hpp"
@@ -113,17 +114,13 @@ int run_command(const CommandLine& line, std::ostream& out, std::ostream& err) {
 
 int run_ctl(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   CommandLine line;
-  try {
-    line.app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return line.app.exit(error, out, err) == 0 ? 0 : 2;
-  }
+  if (const auto status = parse_command_line(line.app, argc, argv, out, err)) return *status;
   try {
     return run_command(line, out, err);
   } catch (const std::exception& error) {
     if (line.options.json) {
       out << nlohmann::ordered_json{{"ok", false}, {"error", {{"code", "UNREACHABLE"}, {"message", error.what()}}}}
-                 .dump()
+                 .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
           << "\n";
     }
     err << "pelagos-ctl: " << error.what() << "\n";

@@ -118,6 +118,14 @@ std::string describe_current(const proto::v1::Status& status) {
   return text + (axes.empty() ? ", carries only what drifts" : ", moves the water along " + axes);
 }
 
+std::string describe_record(const proto::v1::CommandLogStatus& log) {
+  if (!log.has_fault()) return log.file();
+  std::string text = log.file() + ": NOT WRITTEN, " + log.fault();
+  if (log.waiting() > 0) text += "; lines that wait for room: " + std::to_string(log.waiting());
+  if (log.lost() > 0) text += "; lines lost: " + std::to_string(log.lost());
+  return text;
+}
+
 std::string describe_body(const proto::v1::BodyStatus& body) {
   std::string pose = "without poses";
   switch (body.health()) {
@@ -203,6 +211,7 @@ std::string describe(const proto::v1::Status& s) {
   if (s.has_oil()) text += "oil        " + describe_oil(s.oil()) + "\n";
   text += "current    " + describe_current(s) + "\n";
   if (s.scheduled() > 0) text += format("schedule   %u commands wait\n", s.scheduled());
+  if (s.has_command_log()) text += "record     " + describe_record(s.command_log()) + "\n";
   for (const auto& body : s.body()) text += "body       " + describe_body(body) + "\n";
   text += format("stations   %u\n", s.stations());
   text += describe_open_links(s);

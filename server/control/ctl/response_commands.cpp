@@ -1,9 +1,12 @@
 #include "response_commands.hpp"
 
+#include "help_text.hpp"
+#include "messages/limits.hpp"
+
 namespace pelagos {
 namespace {
 
-constexpr int kMostNumbers = 2000;  // 1000 points of a boom
+constexpr int kMostNumbers = static_cast<int>(2 * limits::kMostPoints);
 
 bool given(const CLI::App& command, const char* option) { return command.count(option) > 0; }
 
@@ -42,39 +45,46 @@ void ResponseCommands::add_to(CLI::App& app) {
 
 void ResponseCommands::add_release(CLI::App& app) {
   release = app.add_subcommand("release", "Let oil flow out of a source; one of the same name is replaced");
-  release->add_option("name", name, "Of the source (1 to 64 characters)")->required();
+  release->add_option("name", name, "Of the source (1 to " + std::to_string(limits::kLongestName) + " characters)")
+      ->required();
   release->add_option("--from", from, "X Y Z where it flows out, m, world frame; with --body in the body's axes")
       ->expected(3);
   release->add_option("--to", to, "X Y Z, the other end of a line along which it flows out evenly, m")->expected(3);
   release->add_option("--body", body, "Id of the body that it moves with, e.g. a breached hull");
-  release->add_option("--rate", rate, "m^3/h (0.001 to 1000000)");
-  release->add_option("--duration", duration, "Ends after so many seconds of simulated time (0.1 to 1e7)");
+  release->add_option("--rate", rate, help_with("m^3/h", limits::kReleaseRate));
+  release->add_option("--duration", duration,
+                      help_with("Ends after so many seconds of simulated time", limits::kReleaseDuration));
   release->add_flag("--stop", end, "The source ends");
 }
 
 void ResponseCommands::add_spill(CLI::App& app) {
   spill = app.add_subcommand("spill", "Oil that is there at once, as a round slick");
   spill->add_option("place", places, "X Y of its middle, m, world frame")->required()->expected(2);
-  spill->add_option("--volume", volume, "m^3 (1e-6 to 1000000)")->required();
-  spill->add_option("--radius", radius, "m (0.001 to 10000; else 1)");
+  spill->add_option("--volume", volume, help_with("m^3", limits::kSpillVolume))->required();
+  spill->add_option("--radius", radius, help_with("m", limits::kSpillRadius, "1"));
 }
 
 void ResponseCommands::add_boom(CLI::App& app) {
   boom = app.add_subcommand("boom", "Moor a floating barrier; one of the same name is replaced");
-  boom->add_option("name", name, "Of the boom (1 to 64 characters)")->required();
-  boom->add_option("points", places, "X Y of each point along it, m, world frame (2 to 1000 points)")
+  boom->add_option("name", name, "Of the boom (1 to " + std::to_string(limits::kLongestName) + " characters)")
+      ->required();
+  boom->add_option("points", places,
+                   "X Y of each point along it, m, world frame (" + std::to_string(limits::kFewestPoints) + " to " +
+                       std::to_string(limits::kMostPoints) + " points)")
       ->expected(0, kMostNumbers);
-  boom->add_option("--draft", draft, "Depth of its skirt, m (0.01 to 20; else 0.5)");
-  boom->add_option("--critical-speed", critical_speed, "Of water across it, above which it leaks, m/s (else 0.36)");
+  boom->add_option("--draft", draft, help_with("Depth of its skirt, m", limits::kBoomDraft, "0.5"));
+  boom->add_option("--critical-speed", critical_speed,
+                   help_with("Of water across it, above which it leaks, m/s", limits::kCriticalSpeed, "0.36"));
   boom->add_flag("--remove", end, "Take it out of the water");
 }
 
 void ResponseCommands::add_skimmer(CLI::App& app) {
   skimmer = app.add_subcommand("skimmer", "Take oil from the water at a place; one of the same name is replaced");
-  skimmer->add_option("name", name, "Of the skimmer (1 to 64 characters)")->required();
+  skimmer->add_option("name", name, "Of the skimmer (1 to " + std::to_string(limits::kLongestName) + " characters)")
+      ->required();
   skimmer->add_option("place", places, "X Y of its middle, m, world frame")->expected(0, kMostNumbers);
-  skimmer->add_option("--radius", radius, "Of its reach, m (0.01 to 1000; else 2)");
-  skimmer->add_option("--rate", rate, "Of oil and emulsion, m^3/h (0, off, to 100000; else 20)");
+  skimmer->add_option("--radius", radius, help_with("Of its reach, m", limits::kSkimmerRadius, "2"));
+  skimmer->add_option("--rate", rate, help_with("Of oil and emulsion, m^3/h, 0 is off", limits::kSkimmerRate, "20"));
   skimmer->add_flag("--remove", end, "Take it out of the water");
 }
 

@@ -116,6 +116,13 @@ void fill(const BodyState& from, proto::v1::BodyStatus& to) {
   if (from.pose_age >= 0.0) to.set_pose_age(from.pose_age);
 }
 
+void fill(const CommandLogState& from, proto::v1::CommandLogStatus& to) {
+  to.set_file(printable(from.file, 1000));
+  if (!from.fault.empty()) to.set_fault(printable(from.fault));
+  to.set_waiting(from.waiting);
+  to.set_lost(from.lost);
+}
+
 }  // namespace
 
 proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
@@ -165,6 +172,7 @@ proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
   if (status.current) fill_current(status, *message.mutable_current());
   message.set_scheduled(status.scheduled);
   for (const BodyState& body : status.bodies) fill(body, *message.add_body());
+  if (status.command_log) fill(*status.command_log, *message.mutable_command_log());
   message.set_stations(static_cast<std::uint32_t>(stations));
   return message;
 }

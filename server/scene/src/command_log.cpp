@@ -2,6 +2,7 @@
 
 #include <google/protobuf/text_format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdio>
@@ -85,6 +86,13 @@ CommandLogEnd read_end(const FieldReader& reader) {
   return end;
 }
 
+/// A run that was killed may leave a part of a line at the end, without a line feed.
+void advise_on_broken_end(std::string_view text, FieldFaults& faults) {
+  const auto lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+  if (!text.empty() && text.back() != '\n' && !faults.empty() && faults.front().line > lines)
+    faults.front().what += "; the last line is cut off: take it out to replay the rest";
+}
+
 CommandLogResult refuse(const std::string& what, const std::string& source_name) {
   return {std::nullopt, describe_faults({{0, 0, "", what}}, source_name)};
 }
@@ -111,6 +119,7 @@ CommandLogResult read_command_log_text(std::string_view text, const std::string&
   parse_text(text, message, parsed);
   FieldFaults faults = parsed.faults;
   CommandLog log;
+  if (!parsed.readable) advise_on_broken_end(text, faults);
   if (parsed.readable) {
     const FieldReader reader(message, faults, "", &parsed.locations, 1);
     log.header = read_header(reader);
@@ -127,15 +136,16 @@ CommandLogResult read_command_log_file(const std::filesystem::path& path) {
   return read_command_log_text(file.text, path.string());
 }
 
-CommandLogWriter::CommandLogWriter(const std::string& file, const CommandLogHeader& header) : file_(file), out_(file) {
+CommandLogWriter::CommandLogWriter(const std::string& file, const CommandLogHeader& header) : file_(file) {
+  if (failed()) return;
   proto::v1::CommandLog message;
   message.set_version(header.version);
   message.set_instruction_set(header.instruction_set);
   message.set_scene(header.scene);
   message.set_seed(header.seed);
   message.set_particles(header.particles);
-  out_ << "# A command log of pelagos-server: what was applied before which step. Replay it with --replay.\n"
-       << on_one_line(message) << std::endl;
+  file_.append("# A command log of pelagos-server: what was applied before which step. Replay it with --replay.");
+  file_.append(on_one_line(message));
 }
 
 void CommandLogWriter::write(const LoggedCommand& command) {
@@ -145,14 +155,18 @@ void CommandLogWriter::write(const LoggedCommand& command) {
   entry.set_at(command.time);
   entry.set_source(command.source);
   write_command(command.command, entry);
-  out_ << on_one_line(message) << std::endl;
+  file_.append(on_one_line(message));
 }
 
 void CommandLogWriter::write(const CommandLogEnd& end) {
   proto::v1::CommandLog message;
   message.mutable_end()->set_step(end.step);
   message.mutable_end()->set_state_hash(hex_text(end.state_hash));
-  out_ << on_one_line(message) << std::endl;
+  file_.append(on_one_line(message));
+}
+
+CommandLogState CommandLogWriter::state() const {
+  return {file_.file().string(), file_.fault(), file_.waiting_lines(), file_.lost_lines()};
 }
 
 }  // namespace pelagos

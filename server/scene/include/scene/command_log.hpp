@@ -2,13 +2,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "files/append_file.hpp"
 #include "values/command.hpp"
+#include "values/status.hpp"
 
 namespace pelagos {
 
@@ -52,21 +53,23 @@ struct CommandLogResult {
 [[nodiscard]] CommandLogResult read_command_log_text(std::string_view text, const std::string& source_name);
 
 /// Writes a command log line by line, each on its way to the disk at once: whatever was written is a log that can be
-/// read, should the program be killed.
+/// read, should the program be killed. The log of another run is never overwritten (files/append_file.hpp).
 class CommandLogWriter {
  public:
-  /// @param file  an existing one is replaced. What failed is told by `failed`.
+  /// @param file  where one holds something already, file.1 is written, or file.2, ... What failed is told by `failed`.
   CommandLogWriter(const std::string& file, const CommandLogHeader& header);
 
   void write(const LoggedCommand& command);
   void write(const CommandLogEnd& end);
-  /// Whether anything could not be written.
-  [[nodiscard]] bool failed() const { return !out_; }
-  [[nodiscard]] const std::string& file() const { return file_; }
+  /// Tries again to write what waits for room on the disk.
+  void flush() { file_.flush(); }
+  /// Whether anything waits or was lost.
+  [[nodiscard]] bool failed() const { return !file_.fault().empty(); }
+  /// The file that is written, what waits and why.
+  [[nodiscard]] CommandLogState state() const;
 
  private:
-  std::string file_;
-  std::ofstream out_;
+  AppendFile file_;
 };
 
 }  // namespace pelagos

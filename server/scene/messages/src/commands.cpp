@@ -5,6 +5,7 @@
 
 #include "commands.pb.h"
 #include "messages/enums_out.hpp"
+#include "messages/limits.hpp"
 #include "messages/read_current.hpp"
 #include "messages/read_wind.hpp"
 #include "oil_commands.hpp"
@@ -12,8 +13,6 @@
 
 namespace pelagos {
 namespace {
-
-constexpr Range kRampRange{0.0, 3600.0, "s"};
 
 void write_vector(const Eigen::Vector3d& from, proto::v1::Vector& to) {
   to.set_x(from.x());
@@ -32,7 +31,7 @@ Command read_set_wind(const FieldReader& reader, const CommandBasis& given) {
   const FieldReader wind = reader.child("wind");
   if (clear_pulse && wind.has("pulse")) reader.fault("clear_pulse", "is true beside wind.pulse; allowed: one of them");
   command.wind = read_wind(wind, basis);
-  reader.read("ramp", kRampRange, command.ramp_seconds);
+  reader.read("ramp", limits::kRamp, command.ramp_seconds);
   return command;
 }
 
@@ -61,7 +60,7 @@ Command read_set_current(const FieldReader& reader, const CommandBasis&) {
   SetCurrent command;
   reader.require("current");
   if (reader.has("current")) command.current = read_current(reader.child("current"));
-  reader.read("ramp", kRampRange, command.ramp_seconds);
+  reader.read("ramp", limits::kRamp, command.ramp_seconds);
   return command;
 }
 

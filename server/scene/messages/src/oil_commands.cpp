@@ -3,19 +3,18 @@
 #include <cmath>
 
 #include "commands.pb.h"
+#include "messages/limits.hpp"
 #include "values/oil_limits.hpp"
 
 namespace pelagos {
 namespace {
 
-constexpr std::size_t kLongestName = 64;
 constexpr Range kPlaces{-1e6, 1e6, "m"};
-constexpr std::size_t kFewestPoints = 2;
 constexpr double kLeastDistance = 0.1;  // m, between neighbours of a boom
 
 std::string read_name(const FieldReader& reader) {
   std::string name;
-  if (reader.require("name")) reader.read("name", kLongestName, name);
+  if (reader.require("name")) reader.read("name", limits::kLongestName, name);
   return name;
 }
 
@@ -37,7 +36,7 @@ std::vector<Eigen::Vector2d> read_line(const FieldReader& reader) {
                           " m from the point before; allowed: at least " + format_number(kLeastDistance) + " m");
     line.push_back(place.head<2>());
   }
-  if (line.size() < kFewestPoints || line.size() > kMostPointsPerBoom)
+  if (line.size() < limits::kFewestPoints || line.size() > kMostPointsPerBoom)
     reader.fault("point",
                  "has " + std::to_string(line.size()) + " points; allowed: 2 to " + std::to_string(kMostPointsPerBoom));
   return line;
@@ -99,8 +98,8 @@ OilCommand read_release_oil(const FieldReader& reader) {
   command.from = read_place(reader, "from");
   command.to = reader.has("to") ? read_place(reader, "to") : command.from;
   reader.read("body", {1, 4294967295.0}, command.body);
-  if (reader.require("rate")) reader.read("rate", {1e-3, 1e6, "m^3/h"}, command.rate);
-  reader.read("duration", {0.1, 1e7, "s"}, command.duration);
+  if (reader.require("rate")) reader.read("rate", limits::kReleaseRate, command.rate);
+  reader.read("duration", limits::kReleaseDuration, command.duration);
   return command;
 }
 
@@ -109,8 +108,8 @@ OilCommand read_stop_release(const FieldReader& reader) { return StopRelease{rea
 OilCommand read_spill_oil(const FieldReader& reader) {
   SpillOil command;
   command.position = read_place(reader, "position").head<2>();
-  if (reader.require("volume")) reader.read("volume", {1e-6, 1e6, "m^3"}, command.volume);
-  reader.read("radius", {1e-3, 1e4, "m"}, command.radius);
+  if (reader.require("volume")) reader.read("volume", limits::kSpillVolume, command.volume);
+  reader.read("radius", limits::kSpillRadius, command.radius);
   return command;
 }
 
@@ -118,8 +117,8 @@ OilCommand read_set_boom(const FieldReader& reader) {
   SetBoom command;
   command.name = read_name(reader);
   command.line = read_line(reader);
-  reader.read("draft", {0.01, 20.0, "m"}, command.draft);
-  reader.read("critical_speed", {0.01, 10.0, "m/s"}, command.critical_speed);
+  reader.read("draft", limits::kBoomDraft, command.draft);
+  reader.read("critical_speed", limits::kCriticalSpeed, command.critical_speed);
   return command;
 }
 
@@ -129,8 +128,8 @@ OilCommand read_set_skimmer(const FieldReader& reader) {
   SetSkimmer command;
   command.name = read_name(reader);
   command.position = read_place(reader, "position").head<2>();
-  reader.read("radius", {0.01, 1000.0, "m"}, command.radius);
-  reader.read("rate", {0.0, 1e5, "m^3/h"}, command.rate);
+  reader.read("radius", limits::kSkimmerRadius, command.radius);
+  reader.read("rate", limits::kSkimmerRate, command.rate);
   return command;
 }
 

@@ -1,28 +1,25 @@
 #include "messages/read_wind.hpp"
 
+#include "messages/limits.hpp"
 #include "values/beaufort.hpp"
 #include "wind.pb.h"
 
 namespace pelagos {
 namespace {
 
-constexpr double kLargestSpeed = 75.0;  // m/s; the strongest sustained winds measured at sea stay below 100 m/s
-constexpr double kRounding = 1e-12;     // of a length that was made of speed and direction
+constexpr double kRounding = 1e-12;  // of a length that was made of speed and direction
 
-constexpr Range kSpeedRange{0.0, kLargestSpeed, "m/s"};
-constexpr Range kBeaufortRange{0, 12, "Beaufort"};
-constexpr Range kVelocityRange{-kLargestSpeed, kLargestSpeed, "m/s"};
-constexpr Range kDirectionRange{0.0, 360.0, "degrees clockwise from north, where the wind blows from"};
+constexpr Range kVelocityRange{-limits::kStrongestWind, limits::kStrongestWind, "m/s"};
 
 /// Ranges of what cannot be used together, so that every fault is told at once.
 void check_ranges_of_mean(const FieldReader& reader) {
   double number = 0.0;
   int beaufort = 0;
   Eigen::Vector3d velocity;
-  reader.read("speed", kSpeedRange, number);
-  reader.read("beaufort", kBeaufortRange, beaufort);
+  reader.read("speed", limits::kWindSpeed, number);
+  reader.read("beaufort", limits::kBeaufort, beaufort);
   reader.read("velocity", kVelocityRange, velocity);
-  reader.read("from_deg", kDirectionRange, number);
+  reader.read("from_deg", limits::kWindFrom, number);
 }
 
 /// Mean wind out of speed, beaufort, velocity and from_deg.
@@ -46,7 +43,7 @@ void read_mean(const FieldReader& reader, const std::optional<WindSettings>& pre
     if (reader.has("from_deg")) reader.fault("from_deg", "says the direction twice: velocity has it already");
     Eigen::Vector3d given;
     if (!reader.read("velocity", kVelocityRange, given)) return;
-    if (given.norm() > kLargestSpeed * (1.0 + kRounding)) {
+    if (given.norm() > limits::kStrongestWind * (1.0 + kRounding)) {
       reader.fault("velocity", "is " + format_number(given.norm()) + " m/s long; allowed: 0 to 75 m/s");
       return;
     }
@@ -58,9 +55,9 @@ void read_mean(const FieldReader& reader, const std::optional<WindSettings>& pre
   double speed = present ? present->velocity.head<2>().norm() : 0.0;
   double from_deg = has_direction ? wind_from_deg(present->velocity) : 0.0;
   int beaufort = 0;
-  reader.read("speed", kSpeedRange, speed);
-  if (reader.read("beaufort", kBeaufortRange, beaufort)) speed = beaufort_speed(beaufort);
-  reader.read("from_deg", kDirectionRange, from_deg);
+  reader.read("speed", limits::kWindSpeed, speed);
+  if (reader.read("beaufort", limits::kBeaufort, beaufort)) speed = beaufort_speed(beaufort);
+  reader.read("from_deg", limits::kWindFrom, from_deg);
   if (!reader.has("from_deg") && !has_direction && speed > 0.0) {
     reader.fault("from_deg", "is missing; needed with speed or beaufort: 0 to 360 degrees, where the wind blows from");
   }
@@ -119,12 +116,12 @@ WindSettings read_wind(const FieldReader& reader, const std::optional<WindSettin
   WindSettings wind = present.value_or(WindSettings{});
   if (reader.has("law")) change_law(reader, read_law(reader), wind);
   read_mean(reader, present, wind.velocity);
-  reader.read("amplitude", {0.0, 30.0, "m/s"}, wind.amplitude);
-  reader.read("length", {0.01, 10000.0, "m"}, wind.length);
-  reader.read("beta", {0.0, 100.0, "", "the paper uses 1.5"}, wind.beta);
+  reader.read("amplitude", limits::kGust, wind.amplitude);
+  reader.read("length", limits::kGustLength, wind.length);
+  reader.read("beta", limits::kBeta, wind.beta);
   if (reader.has("beta") && wind.law == WindLaw::kStress)
     reader.fault("beta", "is used by the laws GUST and PAPER only; allowed with STRESS: leave it out");
-  reader.read("roughness", {1e-6, 5.0, "m", "z0 of the log profile"}, wind.roughness);
+  reader.read("roughness", limits::kRoughness, wind.roughness);
   if (reader.has("pulse")) {
     const FieldReader pulse = reader.child("pulse");
     wind.pulse = wind.law == WindLaw::kPaper ? read_pulse_in_steps(pulse) : read_pulse(pulse);

@@ -27,6 +27,14 @@ struct PoseRefusals {
   std::uint64_t count = 0;
 };
 
+/// How the record of a run's commands is doing.
+struct CommandLogState {
+  std::string file;
+  std::string fault;        ///< why commands wait, or were lost; empty while all are on their way to the disk
+  std::size_t waiting = 0;  ///< lines in memory that the disk has no room for
+  std::size_t lost = 0;     ///< lines that there was no room for in memory either
+};
+
 /// The health of the server, as published on `status_v2` and answered over the control link. All over the last second
 /// unless stated.
 struct ServerStatus {
@@ -65,7 +73,8 @@ struct ServerStatus {
   std::array<bool, 2> moves_water{false, false};  ///< for x, y: whether the water itself moves with a current
   std::uint32_t scheduled = 0;                    ///< commands that wait for their time
   std::vector<BodyState> bodies;
-  std::optional<OilBudget> oil;  ///< nothing in a scene without
+  std::optional<OilBudget> oil;                ///< nothing in a scene without
+  std::optional<CommandLogState> command_log;  ///< nothing where none is written
 };
 
 }  // namespace pelagos
