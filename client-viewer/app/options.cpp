@@ -6,6 +6,7 @@
 
 #include "command_line/number_check.hpp"
 #include "command_line/parse.hpp"
+#include "files/asset_folder.hpp"
 #include "version/version.hpp"
 
 namespace pelagos {
@@ -15,17 +16,6 @@ bool read_size(const std::string& text, int& width, int& height) {
   char rest = 0;
   return std::sscanf(text.c_str(), "%5dx%5d%c", &width, &height, &rest) == 2 && width >= 64 && height >= 36 &&
          width <= 8192 && height <= 8192;
-}
-
-/// The folder with meshes/ and rigs/ that belongs to this program.
-std::filesystem::path find_assets() {
-  std::error_code ignored;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
-  for (const char* relative : {"../../../assets", "../share/pelagos/assets", "../assets"}) {
-    const std::filesystem::path candidate = (program / relative).lexically_normal();
-    if (std::filesystem::is_directory(candidate / "meshes", ignored)) return candidate;
-  }
-  return "assets";
 }
 
 }  // namespace
@@ -69,7 +59,7 @@ std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
     return std::nullopt;
   }
   read_size(size, options.width, options.height);
-  if (options.assets.empty()) options.assets = find_assets();
+  if (options.assets.empty()) options.assets = installed_assets();
   if (options.rig.empty()) options.rig = options.assets / "rigs" / "ship_bridge.json";
   return options;
 }

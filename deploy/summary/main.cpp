@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "command_line/number_check.hpp"
 #include "command_line/parse.hpp"
 #include "files/output_file.hpp"
 #include "run_summary.hpp"
@@ -41,7 +42,7 @@ int main(int argc, char** argv) {
   RunFacts facts;
   CLI::App app("Puts the reports of one run of deploy/demo together into summary.json.", "pelagos-demo-summary");
   app.set_version_flag("--version", std::string("pelagos-demo-summary ") + kVersion);
-  app.add_option("--run", folder, "folder of the run")->required()->check(CLI::ExistingDirectory);
+  app.add_option("--run", folder, "folder of the run")->required()->check(FolderThatExists());
   app.add_option("--scene", facts.scene_file, "scene file that ran")->required();
   app.add_option("--domain", facts.domain, "DDS domain that it ran in")->required();
   app.add_option("--seconds", facts.seconds, "how long it was to run, s")->required();

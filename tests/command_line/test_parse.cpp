@@ -20,6 +20,7 @@ struct Program {
   double speed = 0.0, duration = 0.0;
   std::optional<double> spacing;
   std::vector<double> place;
+  std::vector<std::string> assets;
   std::string scene, law = "gust";
   bool loud = false;
   std::ostringstream out, err;
@@ -37,6 +38,7 @@ struct Program {
     app.add_option("--spacing", spacing)->check(NumberFrom(1e-3, 100.0));
     app.add_option("--place", place)->expected(3);
     app.add_option("--law", law)->check(OneOf({"gust", "stress", "paper"}));
+    app.add_option("--assets", assets)->allow_extra_args(false)->check(FolderThatExists());
     app.add_flag("--loud", loud);
     std::vector<const char*> argv{"./program"};
     argv.insert(argv.end(), words.begin(), words.end());
@@ -119,6 +121,7 @@ TEST(CommandLine, NamesOptionValueAndWhatIsAllowed) {
       {{"--place", "1", "2", "x"}, "--place: is x (no number); allowed: a decimal number"},
       {{"--law", "strss"}, "--law: is strss; did you mean stress? Allowed: gust, stress, paper"},
       {{"--law", ""}, "--law: is empty"},
+      {{"--assets", "/nowhere"}, "--assets: is /nowhere; there is no such folder"},
       {{"more"}, "unexpected argument \"more\""},
   };
   for (const Refusal& refusal : refusals) {

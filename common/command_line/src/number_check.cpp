@@ -1,6 +1,7 @@
 #include "command_line/number_check.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include "text/decimal.hpp"
@@ -43,6 +44,15 @@ WholeFrom::WholeFrom(long long low, long long high) {
     std::istringstream text(input);  // decimal: std::dec is the default
     const bool good = fault.empty() && (text >> value) && value >= low && value <= high;
     return good ? "" : refuse(input, fault, allowed);
+  };
+}
+
+FolderThatExists::FolderThatExists() {
+  description("DIR");
+  func_ = [](std::string& input) -> std::string {
+    std::error_code error;
+    if (std::filesystem::is_directory(input, error)) return "";
+    return input.empty() ? "is empty; allowed: a folder" : "is " + input + "; there is no such folder";
   };
 }
 

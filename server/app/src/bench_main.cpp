@@ -12,6 +12,7 @@
 #include "command_line/number_check.hpp"
 #include "command_line/parse.hpp"
 #include "command_line/stop_signals.hpp"
+#include "files/asset_folder.hpp"
 #include "files/output_file.hpp"
 #include "machine_json.hpp"
 #include "physics/neighbor_search.hpp"
@@ -29,6 +30,7 @@ void request_stop(int) { stop_requested.store(true); }
 
 struct RunArguments {
   std::string scene_file;
+  std::vector<std::string> assets;
   std::optional<std::string> solver;
   std::optional<double> tolerance, spacing;
   std::string json_file, instruction_set;
@@ -39,6 +41,9 @@ struct RunArguments {
 /// What both subcommands know.
 void add_common_options(CLI::App& command, RunArguments& arguments) {
   command.add_option("--scene", arguments.scene_file, "Scene file")->required();
+  command.add_option("--assets", arguments.assets, "Folder with meshes, or with meshes/, that scenes name; repeatable")
+      ->allow_extra_args(false)
+      ->check(FolderThatExists());
   command.add_option("--spacing", arguments.spacing, "Particle spacing, m (default: the scene's)")
       ->check(NumberFrom(1e-3, 100.0));
   command.add_option("--threads", arguments.options.threads, "Threads (default: all)")->check(WholeFrom(1, 256));
@@ -102,6 +107,7 @@ nlohmann::ordered_json to_json(const Scene& scene, const RunArguments& arguments
 std::optional<Scene> prepare_scene(const RunArguments& arguments) {
   SceneReadOptions options;
   options.particle_spacing = arguments.spacing;
+  options.asset_roots = mesh_folders(arguments.assets);
   SceneResult read = read_scene_file(arguments.scene_file, options);
   if (!read) {
     std::cerr << "pelagos-bench: cannot use the scene:\n" << read.report() << '\n';

@@ -11,6 +11,7 @@
 #include "command_line/parse.hpp"
 #include "command_line/stop_signals.hpp"
 #include "control/endpoint.hpp"
+#include "files/asset_folder.hpp"
 #include "files/output_file.hpp"
 #include "machine.hpp"
 #include "run_report.hpp"
@@ -30,6 +31,7 @@ void request_stop(int) { stop_requested.store(true); }
 
 struct Arguments {
   std::string scene_file, control = "127.0.0.1:7410", report_file, log_level = "info", replay_file, body_frame = "enu";
+  std::vector<std::string> assets;
   ServerOptions options;
   bool unpaced = false;
 };
@@ -37,6 +39,11 @@ struct Arguments {
 void add_options(CLI::App& app, Arguments& arguments) {
   ServerOptions& options = arguments.options;
   app.add_option("--scene", arguments.scene_file, "Scene file (see docs/scenes.md)")->required();
+  app.add_option(
+         "--assets", arguments.assets,
+         "Folder with meshes, or with meshes/, that scenes name; repeatable (default: the installed assets only)")
+      ->allow_extra_args(false)
+      ->check(FolderThatExists());
   app.add_option("--domain", options.domain, "DDS domain")->check(WholeFrom(0, 230));
   app.add_option("--control", arguments.control, "Address of the instructors' link; port 0 takes a free one")
       ->capture_default_str();
@@ -76,7 +83,9 @@ bool try_outputs(const Arguments& arguments) {
 /// Fills the options from scene file and addresses; false if something is wrong (said).
 bool prepare(Arguments& arguments) {
   if (!try_outputs(arguments)) return false;
-  SceneResult scene = read_scene_file(arguments.scene_file);
+  SceneReadOptions reading;
+  reading.asset_roots = mesh_folders(arguments.assets);
+  SceneResult scene = read_scene_file(arguments.scene_file, reading);
   if (!scene) {
     std::cerr << "pelagos-server: cannot use the scene:\n" << scene.report() << '\n';
     return false;

@@ -26,4 +26,10 @@ class OneOf : public CLI::Validator {
   explicit OneOf(std::vector<std::string> words);
 };
 
+/// Check of an option that takes a folder, which has to be there.
+class FolderThatExists : public CLI::Validator {
+ public:
+  FolderThatExists();
+};
+
 }  // namespace pelagos
