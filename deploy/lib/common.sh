@@ -18,6 +18,35 @@ wrong_usage() {
   exit 2
 }
 
+# unknown_argument WORD KNOWN...: ends the script, naming the word, the nearest of the known ones, and all of these.
+unknown_argument() {
+  local word=$1 nearest
+  shift
+  nearest=$(printf '%s\n' "$@" | awk -v word="${word%%=*}" '
+    function least(a, b) { return a < b ? a : b }
+    function distance(a, b,   i, j, row, left) {  # Levenshtein'"'"'s
+      for (j = 0; j <= length(b); ++j) row[j] = j
+      for (i = 1; i <= length(a); ++i) {
+        diagonal = row[0]; row[0] = i
+        for (j = 1; j <= length(b); ++j) {
+          left = row[j]
+          row[j] = least(least(row[j], row[j - 1]) + 1, diagonal + (substr(a, i, 1) != substr(b, j, 1)))
+          diagonal = left
+        }
+      }
+      return row[length(b)]
+    }
+    BEGIN { best = 3 }
+    { d = distance(word, $0); if (d < best) { best = d; name = $0 } }
+    END { print name }')
+  wrong_usage "unknown argument $word${nearest:+; did you mean $nearest?}; allowed: $*"
+}
+
+# try_folder OPTION DIR: makes a folder for results before the work begins, or ends the script.
+try_folder() {
+  mkdir -p "$2" 2>/dev/null && [[ -w $2 ]] || fail "$1 is $2; no folder can be made or written there"
+}
+
 # take_lock FD FILE WHAT: waits for the lock and holds it until this shell and all that inherit FD have ended.
 take_lock() {
   local fd=$1 file=$2 what=$3

@@ -123,8 +123,9 @@ std::optional<Scene> prepare_scene(const RunArguments& arguments) {
 bool write_json(const nlohmann::ordered_json& json, const std::string& file_name) {
   const std::string text = json.dump(2);
   if (file_name.empty()) {
-    std::cout << text << '\n';
-    return true;
+    std::cout << text << std::endl;
+    if (!std::cout) std::cerr << "pelagos-bench: cannot write to standard output: check the space left\n";
+    return static_cast<bool>(std::cout);
   }
   const std::string fault = write_whole_file(file_name, text + "\n");
   if (!fault.empty()) std::cerr << "pelagos-bench: --json: " << fault << '\n';

@@ -64,7 +64,7 @@ int follow_events(ControlClient& client, const CtlOptions& options, std::ostream
   const auto start = std::chrono::steady_clock::now();
   const milliseconds duration(static_cast<std::int64_t>(options.event_duration * 1e3));
   std::uint64_t count = 0;
-  while (options.event_count == 0 || count < options.event_count) {
+  while (out && (options.event_count == 0 || count < options.event_count)) {
     milliseconds wait = std::chrono::hours(1);
     if (options.event_duration > 0.0) {
       wait = duration - std::chrono::duration_cast<milliseconds>(std::chrono::steady_clock::now() - start);
