@@ -5,6 +5,7 @@
 
 #include "control_fixture.hpp"
 #include "ctl.hpp"
+#include "values/beaufort.hpp"
 
 namespace pelagos {
 namespace {
@@ -118,7 +119,7 @@ TEST_F(Ctl, PrintsTheWindAtPlaces) {
   EXPECT_EQ(ask({"wind-at", "1", "2"}).code, 2);
   EXPECT_EQ(ask({"wind-at", "1", "2", "3", "4"}).code, 2);
   EXPECT_EQ(ask({"wind-at"}).code, 2);
-  EXPECT_THAT(ask({"wind-at", "nan", "0", "0"}).err, HasSubstr("query_wind.position[0].x: nan is out of range"));
+  EXPECT_THAT(ask({"wind-at", "1e9", "0", "0"}).err, HasSubstr("query_wind.position[0].x: 1000000000 is out of range"));
 }
 
 TEST_F(Ctl, PausesStepsAndResumes) {
@@ -137,12 +138,53 @@ TEST_F(Ctl, FailsWithTheServersWords) {
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.err, HasSubstr("set_wind.wind.speed: 200 is out of range; allowed: 0 to 75 m/s"));
   EXPECT_THAT(outcome.out, IsEmpty());
-  const Outcome json = ask({"wind", "--speed", "nan", "--from", "0", "--json"});
+  const Outcome json = ask({"wind", "--speed", "200", "--from", "0", "--json"});
   EXPECT_EQ(json.code, 1);
   const auto parsed = nlohmann::json::parse(json.out);
   EXPECT_EQ(parsed["ok"], false);
   EXPECT_EQ(parsed["error"]["code"], "INVALID_VALUE");
   EXPECT_EQ(parsed["error"]["field"], "set_wind.wind.speed");
+}
+
+TEST_F(Ctl, ReadsDecimalNumbersWithLeadingZeros) {
+  ASSERT_EQ(ask({"wind", "--beaufort", "010", "--from", "090"}).code, 0);
+  const SetWind set = last_wind();
+  EXPECT_NEAR(set.wind.velocity.norm(), beaufort_speed(10), 1e-9);
+  EXPECT_NEAR(wind_from_deg(set.wind.velocity), 90.0, 1e-9);
+  ASSERT_EQ(ask({"command", "set_wind { wind { beaufort: 08 from_deg: 045 } }"}).code, 0);
+  EXPECT_NEAR(wind_from_deg(last_wind().wind.velocity), 45.0, 1e-9);
+}
+
+TEST_F(Ctl, RefusesWhatIsNoNumberItself) {
+  for (const char* number : {"nan", "inf", "0,5", "5kn", "0x5", "", "−5"}) {
+    const Outcome outcome = ask({"wind", "--speed", number, "--from", "0"});
+    EXPECT_EQ(outcome.code, 2) << number;
+    EXPECT_THAT(outcome.err, HasSubstr("pelagos-ctl: --speed: is ")) << number;
+  }
+  EXPECT_THAT(commands(), IsEmpty());
+  EXPECT_THAT(run({"command", "set_wind { wind { speed: 0,5 } }"}).err,
+              HasSubstr("command: character 26: speed: has a comma in the number 0,5; write 0.5"));
+}
+
+TEST_F(Ctl, NamesTheWrongWord) {
+  EXPECT_THAT(run({"stauts"}).err, HasSubstr("unknown command stauts; did you mean status?"));
+  EXPECT_THAT(run({"release", "hose", "--fom", "1"}).err,
+              HasSubstr("unknown option --fom of release; did you mean --from?"));
+  EXPECT_THAT(run({"status", "--timout", "3"}).err, HasSubstr("did you mean --timeout?"));
+}
+
+TEST_F(Ctl, HelpTellsTheLimitsThatHold) {
+  EXPECT_THAT(run({"current", "--help"}).out, HasSubstr("At the surface, m/s (0 to 10)"));
+  EXPECT_THAT(ask({"current", "--speed", "10.1", "--to", "0"}).err, HasSubstr("allowed: 0 to 10 m/s"));
+  EXPECT_THAT(run({"wind", "--help"}).out, HasSubstr("m/s (0 to 75)"));
+}
+
+TEST_F(Ctl, TellsOfACommandLogThatIsNotWritten) {
+  status_.command_log = CommandLogState{"run.log", "No space left on device", 3, 0};
+  EXPECT_THAT(ask({"status"}).out,
+              HasSubstr("record     run.log: NOT WRITTEN, No space left on device; lines that wait for room: 3\n"));
+  const auto json = nlohmann::json::parse(ask({"status", "--json"}).out);
+  EXPECT_EQ(json["command_log"]["waiting"], 3);
 }
 
 TEST_F(Ctl, FollowsEvents) {
