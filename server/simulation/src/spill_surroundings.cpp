@@ -60,6 +60,7 @@ void SpillSurroundings::find_way_out(const Eigen::Vector2d& position, SurfaceSta
     state.room = distance >= kRoom * spacing_ ? 0.5 * distance : 0.0;
     return;
   }
+  if (!state.water) return;  // it lies dry, and stays
   const auto is_wet = [&](const Eigen::Vector2d& place) { return surface_.at(place - origin_.head<2>()).has_value(); };
   if (const auto way = water.way_out(position, state.water_velocity, is_wet)) state.way_out = *way;
 }
