@@ -20,6 +20,9 @@ namespace {
 constexpr double kGravity = 9.81;
 constexpr float kSprayThreshold = 0.5F;
 constexpr double kVisibility = 9000.0;  // m
+// Pixels that the particles of a picture may cover, in pictures: a frame of huge ellipsoids must not take minutes. The
+// eye in the middle of the water meets some hundred.
+constexpr double kMostLayers = 4000.0;
 
 Eigen::Vector4f vector4(double x, double y, double z, double w) { return Eigen::Vector4d(x, y, z, w).cast<float>(); }
 Eigen::Vector4f vector4(const Eigen::Vector3d& v, double w) { return vector4(v.x(), v.y(), v.z(), w); }
@@ -78,16 +81,24 @@ class Frustum {
         tan_x_(static_cast<float>(size.tan_half_x)),
         tan_y_(static_cast<float>(size.tan_half_y)),
         slack_x_(std::sqrt(1.0F + tan_x_ * tan_x_)),
-        slack_y_(std::sqrt(1.0F + tan_y_ * tan_y_)) {}
+        slack_y_(std::sqrt(1.0F + tan_y_ * tan_y_)),
+        focal_(static_cast<float>(size.focal_pixels)) {}
   [[nodiscard]] bool may_see(const float* centre, float radius) const {
     const Eigen::Vector3f c = axes_ * Eigen::Vector3f(centre[0], centre[1], centre[2]);
     return c.z() > -radius && std::abs(c.x()) < tan_x_ * c.z() + radius * slack_x_ &&
            std::abs(c.y()) < tan_y_ * c.z() + radius * slack_y_;
   }
+  /// Pixels that a sphere covers at most, up to `all`.
+  [[nodiscard]] double covered(const float* centre, float radius, double all) const {
+    const float depth = axes_.row(2).dot(Eigen::Vector3f(centre[0], centre[1], centre[2])) - radius;
+    if (depth <= 0.0F) return all;
+    const double on_screen = static_cast<double>(focal_ * radius / depth);
+    return std::min(all, std::numbers::pi * on_screen * on_screen);
+  }
 
  private:
   Eigen::Matrix3f axes_;
-  float tan_x_, tan_y_, slack_x_, slack_y_;
+  float tan_x_, tan_y_, slack_x_, slack_y_, focal_;
 };
 
 }  // namespace
@@ -154,13 +165,19 @@ struct Renderer::State {
 void Renderer::State::gather(const Camera& camera, const SeaMoment& moment) {
   water.clear();
   drops.clear();
-  const Frustum frustum(camera, fluid_size_of(camera, fluid_scale(settings.quality)));
+  const FluidSize guarded = fluid_size_of(camera, fluid_scale(settings.quality));
+  const Frustum frustum(camera, guarded);
+  const double all = static_cast<double>(guarded.width) * guarded.height;
+  double to_cover = kMostLayers * all;
   const Eigen::Vector3f offset = (moment.origin - camera.eye).cast<float>();
   const auto ahead = static_cast<float>(moment.ahead);
   for (const SurfaceParticle& particle : moment.particles) {
     const DrawnParticle one = drawn(particle, offset, ahead);
     const float reach = 1.5F * std::max({one.semi_axes[0], one.semi_axes[1], one.semi_axes[2]});
-    if (frustum.may_see(one.centre, reach)) (one.spray > kSprayThreshold ? drops : water).push_back(one);
+    if (!frustum.may_see(one.centre, reach)) continue;
+    to_cover -= frustum.covered(one.centre, reach, all);
+    if (to_cover < 0.0) break;
+    (one.spray > kSprayThreshold ? drops : water).push_back(one);
   }
 }
 

@@ -152,5 +152,16 @@ TEST_F(Graphics, DrawsWithoutParticlesBodiesOrWaves) {
   EXPECT_NEAR(depth[kWidth / 2], -10.0 / ray.z(), 1e-3 * -10.0 / ray.z()) << "interpolation in single precision";
 }
 
+TEST_F(Graphics, AFrameOfHugeEllipsoidsIsDrawnInTime) {
+  constexpr float kSize = 8.0F;  // m: nearly fills the picture, the eye is outside
+  SyntheticSea sea(32);
+  for (SurfaceParticle& particle : sea.frame().particles) particle.semi_axes.setConstant(kSize);
+  for (std::size_t i = 0; sea.frame().particles.size() < 1'500'000; ++i)
+    sea.frame().particles.push_back(SurfaceParticle(sea.frame().particles[i]));
+  const auto start = std::chrono::steady_clock::now();
+  (void)sea.draw("starboard");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30)) << "without a bound it takes a minute";
+}
+
 }  // namespace
 }  // namespace pelagos
