@@ -180,6 +180,7 @@ int run(RunArguments& arguments) {
   arguments.options.stop = &stop_requested;
   const BenchResult result = run_bench(*scene, arguments.options, progress);
   if (terminal) std::fputs("\r\033[K", stderr);
+  for (const std::string& note : result.start_notes) std::cerr << "pelagos-bench: start: " << note << '\n';
   if (result.unconverged_steps > 0)
     std::cerr << "pelagos-bench: " << result.unconverged_steps << " of " << result.steps
               << " steps missed a tolerance; see density_error_mean for what that costs, and raise the scene's "

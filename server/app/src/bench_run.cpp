@@ -94,6 +94,7 @@ BenchResult run_bench(const Scene& scene, const BenchOptions& options, const std
   result.boundary_particles = world.fluid().walls.count;
   result.peak_memory_bytes = peak_memory();
   result.state_hash = state_hash(world.fluid().particles);
+  result.start_notes = world.start_notes();
   return result;
 }
 

@@ -36,6 +36,7 @@ struct BenchResult {
   std::uint64_t peak_memory_bytes = 0;
   std::array<double, kStageCount> stages_ms{};  ///< mean by step
   std::uint64_t state_hash = 0;
+  std::vector<std::string> start_notes;  ///< what is allowed, but hardly meant (World::start_notes)
 };
 
 /// Advances a scene without network or pacing. @param progress  called now and then with the part done, 0..1; may be

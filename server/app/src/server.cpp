@@ -125,6 +125,11 @@ void Server::open_world() {
   world_ = std::make_unique<World>(options_.scene, world);
   for (const std::string& note : world_->bodies().mesh_notes()) log_info(note);
   tell_names();
+  for (const std::string& note : world_->start_notes()) log_warning("start: " + note);
+  {
+    const std::scoped_lock lock(status_mutex_);
+    status_.start_notes = world_->start_notes();
+  }
   if (options_.scene.governor.on && !options_.replay) {
     governor_.emplace(options_.scene, world_->effort());
     log_info(fmt::format("governor: a frame may take {:.1f} ms", governor_->budget() * 1e3));

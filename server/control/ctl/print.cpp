@@ -175,10 +175,13 @@ Json to_json(const Message& message) {
   Json json = Json::object();
   for (int i = 0; i < descriptor.field_count(); ++i) {
     const FieldDescriptor& field = *descriptor.field(i);
-    if (field.is_repeated()) {  // all of ours hold messages
+    if (field.is_repeated()) {  // all of ours hold messages or text
       Json list = Json::array();
       for (int k = 0; k < reflection.FieldSize(message, &field); ++k) {
-        list.push_back(to_json(reflection.GetRepeatedMessage(message, &field, k)));
+        if (field.cpp_type() == FieldDescriptor::CPPTYPE_STRING)
+          list.push_back(reflection.GetRepeatedString(message, &field, k));
+        else
+          list.push_back(to_json(reflection.GetRepeatedMessage(message, &field, k)));
       }
       json[field.name()] = std::move(list);
     } else if (reflection.HasField(message, &field)) {
@@ -215,6 +218,7 @@ std::string describe(const proto::v1::Status& s) {
   for (const auto& body : s.body()) text += "body       " + describe_body(body) + "\n";
   text += format("stations   %u\n", s.stations());
   text += describe_open_links(s);
+  for (const auto& note : s.start_note()) text += "start      " + note + "\n";
   return text;
 }
 

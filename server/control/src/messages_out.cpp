@@ -162,6 +162,7 @@ proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
   }
   message.set_unconverged_steps(status.unconverged_steps);
   message.set_recoveries(status.recoveries);
+  for (const std::string& note : status.start_notes) message.add_start_note(printable(note, 600));
   message.set_governed(status.governed);
   message.set_max_step(status.effort.max_step);
   message.set_density_tolerance(status.effort.density_tolerance);

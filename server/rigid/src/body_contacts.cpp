@@ -6,7 +6,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
+
+#include "rigid/convex_hull.hpp"
 
 namespace pelagos {
 
@@ -22,6 +26,8 @@ constexpr double kPushOutSpeed = 1.0;
 /// |n_z| of what a led body may touch among things that do not give way. Its place is its leader's: it can answer a
 /// floor or a slope by heaving, a wall or a quay's side by nothing but a wild roll.
 constexpr double kLevel = 0.7;
+/// Meshes that fill all but this share of their convex hull are convex: vertices in single precision leave 1e-6.
+constexpr double kConvex = 1e-5;
 
 btVector3 to_bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 btQuaternion to_bullet(const Eigen::Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
@@ -92,6 +98,26 @@ struct BodyContacts::World {
     return shape;
   }
 
+  /// The triangles as they are, turned and moved into the axes of Bullet's body.
+  std::unique_ptr<btCollisionShape> triangle_shape(const TriangleMesh& mesh, const Eigen::Vector3d& position,
+                                                   const Eigen::Quaterniond& orientation) {
+    auto triangles = std::make_unique<btTriangleMesh>();
+    const auto corner = [&](std::size_t t, std::size_t c) {
+      return to_bullet(orientation * mesh.corner(t, c) + position);
+    };
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      triangles->addTriangle(corner(t, 0), corner(t, 1), corner(t, 2));
+    auto shape = std::make_unique<btBvhTriangleMeshShape>(triangles.get(), true);
+    shape->setMargin(kMargin * length);
+    meshes.push_back(std::move(triangles));
+    return shape;
+  }
+  /// @param larger  whether its shape is larger than its mesh
+  void number(btRigidBody& body, bool larger) {
+    body.setUserIndex(static_cast<int>(larger_than_mesh.size()));
+    larger_than_mesh.push_back(larger);
+  }
+
   void place(const Hull& hull, const Eigen::Vector3d& centre, const Eigen::Quaterniond& orientation,
              const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity) {
     const btTransform transform(to_bullet(orientation * hull.to_body), to_bullet(centre));
@@ -114,6 +140,7 @@ struct BodyContacts::World {
   std::vector<std::unique_ptr<btTriangleMesh>> meshes;
   std::vector<std::unique_ptr<btRigidBody>> bodies;
   std::vector<Hull> hulls;
+  std::vector<bool> larger_than_mesh;  ///< by number
 };
 
 namespace {
@@ -160,22 +187,18 @@ void BodyContacts::add_plane(const Eigen::Vector3d& point, const Eigen::Vector3d
 
 void BodyContacts::add_scenery(const TriangleMesh& mesh, const Eigen::Vector3d& position,
                                const Eigen::Quaterniond& orientation) {
-  auto triangles = std::make_unique<btTriangleMesh>();
-  const auto corner = [&](std::size_t t, std::size_t c) {
-    return to_bullet(orientation * mesh.corner(t, c) + position);
-  };
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    triangles->addTriangle(corner(t, 0), corner(t, 1), corner(t, 2));
-  auto shape = std::make_unique<btBvhTriangleMeshShape>(triangles.get(), true);
-  shape->setMargin(kMargin * world_->length);
-  world_->meshes.push_back(std::move(triangles));
-  btRigidBody& body = world_->add(std::move(shape), 0.0, Eigen::Vector3d::Zero());
+  btRigidBody& body = world_->add(world_->triangle_shape(mesh, position, orientation), 0.0, Eigen::Vector3d::Zero());
+  world_->number(body, false);
   world_->publish(body, World::kFixedGroup, World::kFreeGroup);
 }
 
 std::size_t BodyContacts::add_driven(const TriangleMesh& mesh) {
   World::Hull hull;
-  hull.body = &world_->add(world_->hull_shape(mesh, hull), 0.0, Eigen::Vector3d::Zero());
+  auto shape = hollow_share(mesh) > kConvex
+                   ? world_->triangle_shape(mesh, Eigen::Vector3d::Zero(), Eigen::Quaterniond::Identity())
+                   : world_->hull_shape(mesh, hull);
+  hull.body = &world_->add(std::move(shape), 0.0, Eigen::Vector3d::Zero());
+  world_->number(*hull.body, false);
   hull.body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
   world_->publish(*hull.body, World::kDrivenGroup, World::kFreeGroup);
   world_->hulls.push_back(hull);
@@ -186,6 +209,7 @@ std::size_t BodyContacts::add_free(const TriangleMesh& mesh, const BodyMass& mas
   const PrincipalAxes axes = principal_axes(mass.inertia);
   World::Hull hull{nullptr, mass.centre, axes.to_body};
   hull.body = &world_->add(world_->hull_shape(mesh, hull), mass.mass, axes.moments);
+  world_->number(*hull.body, hollow_share(mesh) > kConvex);
   if (freedom == FreeBody::Freedom::kHeaveRollPitch) {
     hull.body->setLinearFactor({0, 0, 1});
     hull.body->setAngularFactor({1, 1, 0});
@@ -227,6 +251,28 @@ bool BodyContacts::resolve(double dt) {
                       settings, nullptr, &w.dispatcher);
   w.bound_speeds(fastest + w.push_out_speed());
   return true;
+}
+
+std::vector<BodyContacts::Overlap> BodyContacts::hull_overlaps(double depth) {
+  World& w = *world_;
+  if (std::find(w.larger_than_mesh.begin(), w.larger_than_mesh.end(), true) == w.larger_than_mesh.end()) return {};
+  w.bullet.performDiscreteCollisionDetection();
+  std::map<std::pair<int, int>, double> deepest;
+  for (int k = 0; k < w.dispatcher.getNumManifolds(); ++k) {
+    const btPersistentManifold& manifold = *w.dispatcher.getManifoldByIndexInternal(k);
+    const int a = manifold.getBody0()->getUserIndex(), b = manifold.getBody1()->getUserIndex();
+    if (a < 0 || b < 0) continue;  // a plane
+    const auto is_larger = [&](int shape) { return w.larger_than_mesh[static_cast<std::size_t>(shape)]; };
+    if (!is_larger(a) && !is_larger(b)) continue;
+    double& found = deepest[std::minmax(a, b)];
+    for (int n = 0; n < manifold.getNumContacts(); ++n)
+      found = std::max(found, -manifold.getContactPoint(n).getDistance());
+  }
+  std::vector<Overlap> overlaps;
+  for (const auto& [pair, found] : deepest)
+    if (found > depth)
+      overlaps.push_back({{static_cast<std::size_t>(pair.first), static_cast<std::size_t>(pair.second)}, found});
+  return overlaps;
 }
 
 Eigen::Vector3d BodyContacts::velocity(std::size_t hull) const {

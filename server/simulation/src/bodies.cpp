@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "body_faults.hpp"
 #include "physics/boundary.hpp"
+#include "rigid/convex_hull.hpp"
 #include "simulation/wetted_body.hpp"
 
 namespace pelagos {
@@ -41,6 +44,8 @@ FreeBody::Freedom freedom_of(BodyDrive drive) {
 /// A jump may land on water that stands where the body was before: mapped again, at most so many times.
 constexpr int kRelocations = 8;
 
+constexpr double kHullOverlap = 0.5;  ///< spacings that a body may stand in another's hull at the start
+
 }  // namespace
 
 Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::vector<std::string>& faults) {
@@ -61,10 +66,16 @@ Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::v
     add_samples(pool, scene, support_radius, body);
     bodies_.push_back(std::move(body));
   }
+  faults = body_faults(scene, support_radius, placed());
+  if (!faults.empty()) return;
+  make_contacts(scene);
+  faults = contact_faults(scene);
+}
+
+std::vector<PlacedShape> Bodies::placed() const {
   std::vector<PlacedShape> placed;
   for (const Body& body : bodies_) placed.push_back({&body.settings, &body.shape});
-  faults = body_faults(scene, support_radius, placed);
-  if (faults.empty()) make_contacts(scene);
+  return placed;
 }
 
 std::vector<std::string> Bodies::mesh_notes() const {
@@ -174,14 +185,36 @@ void Bodies::receive(double dt, const FluidState& fluid) {
     if (body.gives_way()) body.free->write_to(body.state);
 }
 
-void Bodies::touch(double dt) {
-  if (!contacts_ || !finite()) return;
+/// A body that starts in the hollow of another is apart from its mesh, but not from its convex hull.
+std::vector<std::string> Bodies::contact_faults(const Scene& scene) {
+  std::vector<std::string> faults;
+  if (!contacts_) return faults;
+  place_contacts();
+  const std::vector<PlacedShape> shapes = placed();
+  for (const auto& [pair, depth] : contacts_->hull_overlaps(kHullOverlap * scene.particle_spacing)) {
+    const bool first = bodies_[pair[0]].free && hollow_share(shapes[pair[0]].shape->mesh) > 0.0;
+    const PlacedShape &hollow = shapes[pair[first ? 0 : 1]], &other = shapes[pair[first ? 1 : 0]];
+    faults.push_back(fmt::format(
+        "{}: a body that is free touches others as the convex hull of its mesh, and {} stands {:.2g} m deep in that "
+        "hull: the two would be thrown apart; allowed: hulls apart at the start, or drive STATIC or POSE for {}, which "
+        "then touches as its mesh is",
+        hollow.name(), other.name(), depth, hollow.name()));
+  }
+  return faults;
+}
+
+void Bodies::place_contacts() {
   for (const Body& body : bodies_) {
     if (body.free)
       contacts_->place_free(body.hull, *body.free);
     else if (body.driven)
       contacts_->place_driven(body.hull, body.state);
   }
+}
+
+void Bodies::touch(double dt) {
+  if (!contacts_ || !finite()) return;
+  place_contacts();
   if (!contacts_->resolve(dt)) return;
   const Eigen::Vector3d still = Eigen::Vector3d::Zero();
   for (Body& body : bodies_)

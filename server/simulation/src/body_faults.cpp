@@ -22,30 +22,14 @@ std::string describe(const Eigen::Vector3d& v) {
   return "(" + digits(v.x()) + ", " + digits(v.y()) + ", " + digits(v.z()) + ")";
 }
 
-std::string name_of(const PlacedShape& body) {
-  return "body " + std::to_string(body.settings->id) + " (" + body.settings->name + ")";
-}
-
-Eigen::Vector3d to_world(const PlacedShape& body, const Eigen::Vector3d& x) {
-  return body.settings->orientation * x + body.settings->position;
-}
-
-/// The box around a body, world axes.
-Eigen::AlignedBox3d place_of(const PlacedShape& body) {
-  Eigen::AlignedBox3d place;
-  for (int corner = 0; corner < 8; ++corner)
-    place.extend(to_world(body, body.shape->bounding_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))));
-  return place;
-}
-
 void check_in_tank(const Scene& scene, double support_radius, const PlacedShape& body,
                    std::vector<std::string>& faults) {
   const auto& samples = body.shape->samples;
   const bool reached = std::any_of(samples.begin(), samples.end(), [&](const Eigen::Vector3f& sample) {
-    return is_within_reach(scene.tank, to_world(body, sample.cast<double>()), support_radius);
+    return is_within_reach(scene.tank, body.to_world(sample.cast<double>()), support_radius);
   });
   if (reached) return;
-  const Eigen::AlignedBox3d place = place_of(body);
+  const Eigen::AlignedBox3d place = body.place();
   faults.push_back("its surface lies outside the tank, at " + describe(place.min()) + " to " + describe(place.max()) +
                    " m; allowed: some of it within " + describe(scene.tank.min) + " to " + describe(scene.tank.max));
 }
@@ -58,7 +42,7 @@ double room_across(const Scene& scene, const Eigen::AlignedBox3d& place, int axi
 /// A free body that stood in a wall would be pushed out of it with a bang.
 void check_walls(const Scene& scene, const PlacedShape& body, std::vector<std::string>& faults) {
   if (body.settings->drive != BodyDrive::kFree) return;
-  const Eigen::AlignedBox3d place = place_of(body);
+  const Eigen::AlignedBox3d place = body.place();
   for (int axis = 0; axis < 3; ++axis) {
     if (scene.tank_edges[static_cast<std::size_t>(axis)] == TankEdge::kPeriodic) continue;
     const double room = room_across(scene, place, axis);
@@ -72,7 +56,7 @@ void check_walls(const Scene& scene, const PlacedShape& body, std::vector<std::s
 
 /// A body has no image beyond periodic faces.
 void check_faces(const Scene& scene, double support_radius, const PlacedShape& body, std::vector<std::string>& faults) {
-  const Eigen::AlignedBox3d place = place_of(body);
+  const Eigen::AlignedBox3d place = body.place();
   for (int axis = 0; axis < 3; ++axis) {
     if (scene.tank_edges[static_cast<std::size_t>(axis)] != TankEdge::kPeriodic) continue;
     const double room = room_across(scene, place, axis);
@@ -97,7 +81,7 @@ bool stands_in_water(const Scene& scene, const Eigen::Vector3d& x) {
 /// Water would run behind an open mesh where its rim stands in it.
 void check_rim(const Scene& scene, const PlacedShape& body, std::vector<std::string>& faults) {
   for (const auto& [from, to] : body.shape->rim) {
-    const Eigen::Vector3d a = to_world(body, from), b = to_world(body, to);
+    const Eigen::Vector3d a = body.to_world(from), b = body.to_world(to);
     const double parts = std::ceil((b - a).norm() / scene.particle_spacing);
     for (double part = 0.0; part <= parts; part += 1.0) {
       const Eigen::Vector3d x = a + part / parts * (b - a);
@@ -128,12 +112,11 @@ void check_mass(const Scene& scene, const PlacedShape& body, std::vector<std::st
 
 /// How many samples of a body are inside the other.
 std::size_t samples_inside(const PlacedShape& body, const PlacedShape& other) {
-  if (other.shape->kind == MeshKind::kClosed && !place_of(body).intersects(place_of(other))) return 0;
-  const Eigen::Quaterniond back = other.settings->orientation.conjugate();
+  if (other.shape->kind == MeshKind::kClosed && !body.place().intersects(other.place())) return 0;
   const auto& samples = body.shape->samples;
   return static_cast<std::size_t>(std::count_if(samples.begin(), samples.end(), [&](const Eigen::Vector3f& sample) {
-    const Eigen::Vector3d world = to_world(body, sample.cast<double>());
-    return other.shape->inside(back * (world - other.settings->position));
+    const Eigen::Vector3d world = body.to_world(sample.cast<double>());
+    return other.shape->inside(other.to_body(world));
   }));
 }
 
@@ -141,7 +124,7 @@ void check_overlap(const PlacedShape& body, const PlacedShape& other, std::vecto
   const std::size_t inside = samples_inside(body, other), all = body.shape->samples.size();
   const bool both_static = body.settings->drive == BodyDrive::kStatic && other.settings->drive == BodyDrive::kStatic;
   if (inside == 0 || (both_static && inside < all)) return;
-  faults.push_back("stands in " + name_of(other) + ": " + std::to_string(inside) + " of its " + std::to_string(all) +
+  faults.push_back("stands in " + other.name() + ": " + std::to_string(inside) + " of its " + std::to_string(all) +
                    " boundary samples are inside it; allowed: " +
                    (both_static ? "static bodies that stand in one another in part" : "bodies apart at the start"));
 }
@@ -166,7 +149,7 @@ std::vector<std::string> body_faults(const Scene& scene, double support_radius, 
       for (const PlacedShape& other : bodies)
         if (other.settings != body.settings && other.shape->faults.empty()) check_overlap(body, other, faults);
     }
-    for (const std::string& fault : faults) all.push_back(name_of(body) + ": " + fault);
+    for (const std::string& fault : faults) all.push_back(body.name() + ": " + fault);
   }
   return all;
 }

@@ -5,16 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "rigid/body_shape.hpp"
-#include "values/scene.hpp"
+#include "simulation/placed_shape.hpp"
 
 namespace pelagos {
-
-/// A body where the scene puts it.
-struct PlacedShape {
-  const BodySettings* settings = nullptr;
-  const BodyShape* shape = nullptr;
-};
 
 /// Whether a sample is where the water's support may reach: in the tank or not farther than a support radius from it.
 [[nodiscard]] bool is_within_reach(const Box& tank, const Eigen::Vector3d& world, double support_radius);

@@ -16,19 +16,26 @@ constexpr std::size_t kMostLayers = 64;  ///< deeper water gets thicker layers
 /// the crests' feet loses whole columns.
 constexpr double kFull = 0.95;
 
+constexpr double kRounding = 1e-9;  ///< rows: a level in the middle of one counts as in it
+
 }  // namespace
 
-CurrentDrive::CurrentDrive(const Scene& scene, const Eigen::Vector3d& origin, double water_level)
-    : spacing_(scene.particle_spacing) {
-  for (std::size_t axis = 0; axis < 2; ++axis) moves_[axis] = scene.tank_edges[axis] == TankEdge::kPeriodic;
+/// Particles of a full row: as many as fit the tank; with bodies in it, the mean.
+double CurrentDrive::full_row(const Scene& scene, std::size_t particles) const {
   const auto tank = lattice_counts(scene.tank, spacing_, scene.tank_edges);
   const auto row = static_cast<double>(tank[0] * tank[1]);
-  rows_ = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(particle_count(scene) / row)));
-  layer_rows_ = std::max(kLayerRows, (rows_ + kMostLayers - 1) / kMostLayers);
-  full_ = row * static_cast<double>(layer_rows_);
+  return scene.bodies.empty() ? row : std::min(row, static_cast<double>(particles) / static_cast<double>(rows_));
+}
+
+CurrentDrive::CurrentDrive(const Scene& scene, const Eigen::Vector3d& origin, double water_level, std::size_t particles)
+    : spacing_(scene.particle_spacing) {
+  for (std::size_t axis = 0; axis < 2; ++axis) moves_[axis] = scene.tank_edges[axis] == TankEdge::kPeriodic;
   // Rows stand at d/2, 3d/2, ... above `floor_`, so no row lies on the edge of a layer.
   floor_ = scene.tank.min.z() - origin.z() + (lattice_offset(scene.tank_edges[2]) - 0.5) * spacing_;
   depth_ = water_level - origin.z() - floor_;
+  rows_ = static_cast<std::size_t>(std::max(1.0, std::round(depth_ / spacing_ + kRounding)));
+  layer_rows_ = std::max(kLayerRows, (rows_ + kMostLayers - 1) / kMostLayers);
+  full_ = full_row(scene, particles) * static_cast<double>(layer_rows_);
   layer_.resize((rows_ + layer_rows_ - 1) / layer_rows_);
   acceleration_.resize(layer_.size());
 }

@@ -131,11 +131,4 @@ StartingParticles place_blocks(const Scene& scene, const Bodies& bodies, const E
   return start;
 }
 
-double rest_level(const Scene& scene) {
-  const double d = scene.particle_spacing;
-  const auto floor = lattice_counts(scene.tank, d, scene.tank_edges);
-  const double layers = particle_count(scene) / static_cast<double>(floor[0] * floor[1]);
-  return scene.tank.min.z() + (layers - 0.5 + lattice_offset(scene.tank_edges[2])) * d;
-}
-
 }  // namespace pelagos

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "mirrored_faces.hpp"
+#include "simulation/basins.hpp"
 #include "simulation/fluid_setup.hpp"
 #include "version/version.hpp"
 #include "waves/sea_state.hpp"
@@ -23,6 +25,8 @@ constexpr double kSmallestStep = 0.02;
 /// After a numerical fault steps are shorter for so long, s of simulated time; so many faults before that end the run.
 constexpr double kCarefulTime = 1.0;
 constexpr int kMostFaults = 3;
+
+constexpr std::size_t kMostNotes = 32;  ///< about the start
 
 constexpr int kSettleChunk = 10;  ///< steps between reports of progress
 
@@ -57,11 +61,12 @@ World::World(const Scene& scene, const WorldOptions& options)
       options_(options),
       pool_(std::make_unique<TaskPool>(std::max(1, options.threads))),
       origin_(choose_origin(scene)),
-      water_level_(rest_level(scene)),
       clock_(scene.frame_interval),
       bodies_(make_bodies(*pool_, scene)),
       fluid_(make_start(*pool_, scene, bodies_, origin_)),
-      drive_(scene, origin_, water_level_),
+      water_level_(rest_level(*pool_, scene, bodies_,
+                              std::span(fluid_.particles.position).first(fluid_.particles.count), origin_)),
+      drive_(scene, origin_, water_level_, fluid_.particles.count),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
       max_step_(largest_time_step(scene)) {
   if (!bodies_.empty()) {
@@ -72,6 +77,7 @@ World::World(const Scene& scene, const WorldOptions& options)
     if (const auto refusal = apply(SetProbe{probe}))
       throw std::invalid_argument("probe " + std::to_string(probe.id) + ": " + *refusal);
   if (scene_.wind) wind_.emplace(wind_site(scene_, origin_, water_level_), *scene_.wind);
+  note_start();
   settle();
   for (std::size_t i = 0; i < fluid_.particles.count; ++i)
     fluid_.particles.acceleration[i] = {0.0F, 0.0F, static_cast<float>(-scene_.gravity), 0.0F};
@@ -95,6 +101,15 @@ StepFault World::recover() {
   if (spill_before_) spill_->restore(*spill_before_);
   careful_until_ = clock_.time() + kCarefulTime;
   return StepFault::kRestored;
+}
+
+void World::note_start() {
+  if (bodies_.empty()) return;
+  start_notes_ = mirrored_face_notes(scene_, fluid_.parameters.support_radius, water_level_, bodies_.placed());
+  if (start_notes_.size() <= kMostNotes) return;
+  const std::size_t more = start_notes_.size() - kMostNotes;
+  start_notes_.resize(kMostNotes);
+  start_notes_.push_back("and " + std::to_string(more) + " more of the same kinds");
 }
 
 void World::settle() {

@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "rigid/free_body.hpp"
 #include "shapes/triangle_mesh.hpp"
@@ -11,8 +13,9 @@
 namespace pelagos {
 
 /// Keeps bodies out of one another, of scenery and of walls: water alone would let a heavy hull sink through a quay.
-/// Free bodies touch as the convex hulls of their meshes, driven ones too; scenery touches as it is. Contacts are
-/// inelastic, with Coulomb friction. What two bodies do to each other here is no load of the water.
+/// Free bodies touch as the convex hulls of their meshes. Scenery and driven bodies touch as they are: a buoy may lie
+/// between the walls of a dock. Contacts are inelastic, with Coulomb friction. What two bodies do to each other here is
+/// no load of the water.
 ///
 /// Detection and the sequential-impulse solver are those of the Bullet library, in double precision. The same calls
 /// give the same bits.
@@ -40,6 +43,14 @@ class BodyContacts {
   /// Takes out of the velocities what would drive hulls into something within dt (s), and pushes apart what overlaps.
   /// Returns whether anything touches.
   bool resolve(double dt);
+
+  /// Two shapes of which at least one is a convex hull that is larger than its mesh, and which overlap.
+  struct Overlap {
+    std::array<std::size_t, 2> shape{};  ///< numbered in the order in which scenery, driven and free hulls were added
+    double depth = 0.0;                  ///< m
+  };
+  /// Those that overlap now by more than `depth` (m), in the order of their numbers.
+  [[nodiscard]] std::vector<Overlap> hull_overlaps(double depth);
 
   /// Velocities of a free hull's centre after it.
   [[nodiscard]] Eigen::Vector3d velocity(std::size_t hull) const;

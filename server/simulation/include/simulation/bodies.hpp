@@ -13,6 +13,7 @@
 #include "rigid/free_body.hpp"
 #include "simulation/body_drift.hpp"
 #include "simulation/load_meter.hpp"
+#include "simulation/placed_shape.hpp"
 #include "values/body.hpp"
 #include "values/current.hpp"
 #include "values/scene.hpp"
@@ -43,6 +44,9 @@ class Bodies {
 
   /// What viewers are told of a body's mesh; null for a primitive. Reads the file again, for its digest.
   [[nodiscard]] std::shared_ptr<const BodySurface> surface_of(std::uint32_t id) const;
+
+  /// Where the scene puts them; valid as long as these bodies.
+  [[nodiscard]] std::vector<PlacedShape> placed() const;
 
   [[nodiscard]] bool empty() const { return bodies_.empty(); }
   [[nodiscard]] std::size_t sample_count() const { return volumes_.size() + static_.size(); }
@@ -132,10 +136,12 @@ class Bodies {
     float volume;              ///< V_b, m^3
   };
   void make_contacts(const Scene& scene);
+  [[nodiscard]] std::vector<std::string> contact_faults(const Scene& scene);
   /// A body as the water's solves see it: a driven one about its origin, and it gives way to nothing.
   [[nodiscard]] static CoupledBody coupled_body(const Body& body, const Eigen::Vector3d& origin);
   void touch(double dt);
   [[nodiscard]] DriftSea sea_of(const Body& body, double time, const Current& current, double water_level) const;
+  void place_contacts();
   void add_samples(TaskPool& pool, const Scene& scene, double support_radius, Body& body);
   void relocate_water(const Body& body, const BodyState& before, const Eigen::Vector3d& origin,
                       FluidState& fluid) const;

@@ -30,7 +30,8 @@ class CurrentDrive {
  public:
   /// @param origin       m, world: local zero of the particles
   /// @param water_level  m, world
-  CurrentDrive(const Scene& scene, const Eigen::Vector3d& origin, double water_level);
+  /// @param particles    that start
+  CurrentDrive(const Scene& scene, const Eigen::Vector3d& origin, double water_level, std::size_t particles);
 
   /// Whether the water can move with a current along x or y at all.
   [[nodiscard]] bool any() const { return moves_[0] || moves_[1]; }
@@ -52,6 +53,7 @@ class CurrentDrive {
     double count = 0.0;
     Vector2 velocity{0.0, 0.0};
   };
+  [[nodiscard]] double full_row(const Scene& scene, std::size_t particles) const;
   [[nodiscard]] std::size_t layer_of(float z) const;
   void sum_layers(TaskPool& pool, std::span<const Float4> position, std::span<const Float4> velocity,
                   std::size_t count);

@@ -28,7 +28,4 @@ struct StartingParticles {
 /// The particles of all blocks, those inside hulls left out: the water's, then the oil's.
 [[nodiscard]] StartingParticles place_blocks(const Scene& scene, const Bodies& bodies, const Eigen::Vector3d& origin);
 
-/// Level of the water once it is at rest, m, world: the particles of all blocks spread over the tank's floor.
-[[nodiscard]] double rest_level(const Scene& scene);
-
 }  // namespace pelagos

@@ -98,6 +98,8 @@ class World {
   void fill_snapshot(Snapshot& snapshot, StepReport& report);
 
   [[nodiscard]] SceneInfo describe() const;
+  /// What whoever runs the scene should know about its start, one line each: what is allowed, but hardly meant.
+  [[nodiscard]] const std::vector<std::string>& start_notes() const { return start_notes_; }
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] double time() const { return clock_.time(); }  ///< s
   [[nodiscard]] std::uint64_t frame() const { return clock_.frame(); }
@@ -119,6 +121,7 @@ class World {
   friend struct WorldTestAccess;  // tests of faults put them into the water
   [[nodiscard]] double choose_time_step() const;
   void settle();
+  void note_start();
   void start_current();
   void drive_current(double time, StepReport& report);
   [[nodiscard]] BodySea body_sea(double time) const;
@@ -131,11 +134,11 @@ class World {
   WorldOptions options_;
   std::unique_ptr<TaskPool> pool_;
   Eigen::Vector3d origin_;
-  double water_level_ = 0.0;
   FrameClock clock_;
   Bodies bodies_;
   Probes probes_;
   FluidState fluid_;
+  double water_level_ = 0.0;
   std::optional<Wind> wind_;
   CurrentDrive drive_;
   std::optional<Current> current_;  ///< that runs
@@ -148,6 +151,7 @@ class World {
   std::uint64_t step_ = 0;
   std::optional<RecoveryPoint> recovery_;        ///< only where the scene asks for it
   std::optional<OilSpill::State> spill_before_;  ///< the oil's part of it
+  std::vector<std::string> start_notes_;
   int faults_in_row_ = 0;
   double careful_until_ = 0.0;  ///< s, simulated: steps are shorter up to there, while there are faults in a row
 };

@@ -1,0 +1,130 @@
+#include "mirrored_faces.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace pelagos {
+
+namespace {
+
+constexpr double kReach = 0.45;         ///< spacings past a face: enough to hold water (0.5 does, 0.25 does not)
+constexpr double kLeastDistance = 0.8;  ///< spacings between samples
+constexpr double kAtFace = 0.02;        ///< spacings: nearer is at the face
+constexpr double kCloseBy = 2.0;        ///< spacings: what holds the water at a place lies no farther along the face
+constexpr double kLookBeyond = 4.0;     ///< spacings past a face: samples farther out say nothing of the place at it
+
+/// One face of the tank.
+struct Face {
+  int axis = 0;
+  bool upper = false;
+  double place = 0.0;  ///< m, along the axis
+
+  /// m, into the tank.
+  [[nodiscard]] double distance(const Eigen::Vector3d& x) const { return upper ? place - x[axis] : x[axis] - place; }
+};
+
+/// A boundary sample near a face.
+struct NearSample {
+  Eigen::Vector3d place;  ///< m, world
+  double distance = 0.0;  ///< m, into the tank
+  double reach = 0.0;     ///< m, how far the body's surface reaches past the face here; negative: it ends before
+};
+
+bool is_at_water(const Scene& scene, const Face& face, double level, const Eigen::Vector3d& x) {
+  if (x.z() > level + scene.particle_spacing) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (axis != face.axis && (x[axis] < scene.tank.min[axis] || x[axis] > scene.tank.max[axis])) return false;
+  return true;
+}
+
+std::vector<NearSample> samples_near(const Scene& scene, const Face& face, double level, double within,
+                                     const PlacedShape& body) {
+  const double d = scene.particle_spacing;
+  const Eigen::AlignedBox3d place = body.place();
+  const double of_box = -face.distance(face.upper ? place.max() : place.min());
+  std::vector<NearSample> near;
+  for (const Eigen::Vector3f& sample : body.shape->samples) {
+    const Eigen::Vector3d at = sample.cast<double>(), x = body.to_world(at);
+    const double distance = face.distance(x);
+    if (distance > within + d || distance < -kLookBeyond * d || !is_at_water(scene, face, level, x)) continue;
+    const double depth = body.shape->surface->distance(at, d);
+    if (distance - depth >= within) continue;
+    // Samples tell the reach short by the gaps between them; the box around the body tells that of its end.
+    const double reach = depth - distance;
+    near.push_back({x, distance, of_box - reach < kLeastDistance * d ? of_box : reach});
+  }
+  return near;
+}
+
+bool is_held(const NearSample& sample, std::span<const NearSample> beyond, double d) {
+  const double radius = std::max(sample.distance, 0.0) + kCloseBy * d;
+  return std::any_of(beyond.begin(), beyond.end(), [&](const NearSample& other) {
+    return (other.place - sample.place).squaredNorm() <= radius * radius;
+  });
+}
+
+bool is_buried(const PlacedShape& body, std::span<const PlacedShape> bodies, const Eigen::Vector3d& x) {
+  return std::any_of(bodies.begin(), bodies.end(), [&](const PlacedShape& other) {
+    return other.settings != body.settings && other.shape->inside(other.to_body(x));
+  });
+}
+
+std::string describe_end(const Scene& scene, double support_radius, const Face& face, const PlacedShape& body,
+                         const NearSample& sample) {
+  const char axis = "xyz"[face.axis];
+  const double reach = sample.reach;
+  std::string where = "ends at";
+  if (reach > kAtFace * scene.particle_spacing) where = fmt::format("reaches only {:.3g} m past", reach);
+  if (reach < -kAtFace * scene.particle_spacing) where = fmt::format("ends {:.3g} m before", -reach);
+  const std::string cure =
+      body.settings->drive == BodyDrive::kFree
+          ? ""
+          : fmt::format("let it reach {:g} m or more past the face (one spacing), or ", scene.particle_spacing);
+  return fmt::format(
+      "{}: it {} the mirrored face {} = {:g} m, near ({:.3g}, {:.3g}, {:.3g}) m. Bodies have no images beyond mirrored "
+      "faces, so water leaks past it there: {}keep it {:g} m away from the face (a support radius), or set "
+      "tank_edges {}: WALL",
+      body.name(), where, axis, face.place, sample.place.x(), sample.place.y(), sample.place.z(), cure, support_radius,
+      axis);
+}
+
+/// The sample that is nearest to the face of those that nothing beyond it holds.
+std::optional<NearSample> find_end(const Scene& scene, const PlacedShape& body, std::span<const PlacedShape> bodies,
+                                   std::span<const NearSample> own, std::span<const NearSample> beyond) {
+  std::optional<NearSample> end;
+  for (const NearSample& sample : own) {
+    if (sample.reach >= kReach * scene.particle_spacing || (end && sample.reach <= end->reach)) continue;
+    if (is_held(sample, beyond, scene.particle_spacing) || is_buried(body, bodies, sample.place)) continue;
+    end = sample;
+  }
+  return end;
+}
+
+}  // namespace
+
+std::vector<std::string> mirrored_face_notes(const Scene& scene, double support_radius, double level,
+                                             std::span<const PlacedShape> bodies) {
+  std::vector<std::string> notes;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (scene.tank_edges[static_cast<std::size_t>(axis)] != TankEdge::kMirror) continue;
+    for (const bool upper : {false, true}) {
+      const Face face{axis, upper, upper ? scene.tank.max[axis] : scene.tank.min[axis]};
+      std::vector<std::vector<NearSample>> of_body;
+      std::vector<NearSample> beyond;
+      for (const PlacedShape& body : bodies) {
+        of_body.push_back(samples_near(scene, face, level, support_radius, body));
+        std::copy_if(of_body.back().begin(), of_body.back().end(), std::back_inserter(beyond),
+                     [&](const NearSample& sample) { return sample.reach >= kReach * scene.particle_spacing; });
+      }
+      for (std::size_t k = 0; k < bodies.size(); ++k)
+        if (const auto end = find_end(scene, bodies[k], bodies, of_body[k], beyond))
+          notes.push_back(describe_end(scene, support_radius, face, bodies[k], *end));
+    }
+  }
+  return notes;
+}
+
+}  // namespace pelagos

@@ -1,0 +1,127 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "simulation/world.hpp"
+
+namespace pelagos {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr double kSpacing = 0.1;
+
+/// A channel of 2 x 0.8 m, its left half 0.8 m deep, a gate across its middle.
+/// @param thickness  m, of the gate
+/// @param past       m, that it reaches past both sides and the floor; negative: it ends before
+Scene gated(double thickness, double past, BodyDrive drive = BodyDrive::kStatic) {
+  Scene scene;
+  scene.name = "gated";
+  scene.particle_spacing = kSpacing;
+  scene.tank = {{-1, 0, 0}, {1, 0.8, 1.4}};
+  scene.tank_edges = {TankEdge::kWall, TankEdge::kMirror, TankEdge::kMirror};
+  scene.water.blocks = {{{-1, 0, 0}, {-0.5 * thickness, 0.8, 0.8}}};
+  scene.water.settle_steps = 0;
+  BodySettings gate;
+  gate.id = 1;
+  gate.name = "gate";
+  gate.primitive = BoxShape{{thickness, 0.8 + 2.0 * past, 1.2 + past}};
+  gate.position = {0.0, 0.4, 0.5 * (1.2 - past)};
+  gate.drive = drive;
+  scene.bodies = {gate};
+  return scene;
+}
+
+std::vector<std::string> notes_of(const Scene& scene) { return World(scene, {1, nullptr, {}}).start_notes(); }
+
+auto tells_of(const std::string& face) {
+  return AllOf(HasSubstr("body 1 (gate)"), HasSubstr("mirrored face " + face), HasSubstr("one spacing"),
+               HasSubstr("WALL"));
+}
+
+TEST(MirroredFaces, EveryGateThatEndsThereIsTold) {
+  for (const double spacings : {0.1, 0.2, 1.0, 2.0, 4.0})
+    for (const BodyDrive drive : {BodyDrive::kStatic, BodyDrive::kPose})
+      EXPECT_THAT(notes_of(gated(spacings * kSpacing, 0.0, drive)),
+                  ElementsAre(tells_of("y = 0 m"), tells_of("y = 0.8 m"), tells_of("z = 0 m")))
+          << spacings << " spacings";
+}
+
+TEST(MirroredFaces, AGapUnderASupportRadiusIsTold) {
+  EXPECT_THAT(notes_of(gated(0.2, -0.05)), ElementsAre(HasSubstr("ends 0.05 m before"), testing::_, testing::_));
+  EXPECT_THAT(notes_of(gated(0.2, -0.18)).size(), 3U);
+  EXPECT_THAT(notes_of(gated(0.2, -0.21)), IsEmpty()) << "water passes, as meant";
+}
+
+TEST(MirroredFaces, AGateThatReachesTooLittlePastIsTold) {
+  EXPECT_THAT(notes_of(gated(0.2, 0.03)), ElementsAre(HasSubstr("reaches only 0.03 m past"), testing::_, testing::_));
+}
+
+TEST(MirroredFaces, AGateThatReachesPastIsFine) {
+  for (const double spacings : {0.1, 0.2, 1.0, 4.0})
+    for (const double past : {0.5, 1.0, 3.0})
+      EXPECT_THAT(notes_of(gated(spacings * kSpacing, past * kSpacing)), IsEmpty()) << spacings << ' ' << past;
+}
+
+TEST(MirroredFaces, WallsNeedNoSuchThing) {
+  Scene scene = gated(0.1, 0.0);
+  scene.tank_edges = kWalledTank;
+  EXPECT_THAT(notes_of(scene), IsEmpty());
+  scene.tank_edges[2] = TankEdge::kMirror;
+  EXPECT_THAT(notes_of(scene), ElementsAre(tells_of("z = 0 m")));
+}
+
+TEST(MirroredFaces, WhatStaysAboveTheWaterIsFine) {
+  Scene scene = gated(0.2, 0.0);
+  scene.bodies[0].primitive = BoxShape{{0.2, 0.8, 0.2}};
+  scene.bodies[0].position.z() = 1.1;
+  EXPECT_THAT(notes_of(scene), IsEmpty());
+}
+
+TEST(MirroredFaces, AFreeBodyIsToldToKeepAwayOnly) {
+  Scene scene = gated(0.4, 0.0);
+  BodySettings& body = scene.bodies[0];
+  body.primitive = BoxShape{{0.2, 0.2, 0.2}};
+  body.position = {-0.5, 0.15, 0.4};
+  body.drive = BodyDrive::kFree;
+  body.mass.density = 500.0;
+  EXPECT_THAT(notes_of(scene), ElementsAre(AllOf(HasSubstr("ends 0.05 m before the mirrored face y = 0 m"),
+                                                 HasSubstr("keep it 0.2 m away"), testing::Not(HasSubstr("let it")))));
+}
+
+TEST(MirroredFaces, PartsOfAWallMayHoldEachOther) {
+  // The gate ends at the face, a pier that it runs into does not.
+  Scene scene = gated(0.2, 0.1);
+  BodySettings pier = scene.bodies[0];
+  pier.id = 2;
+  pier.name = "pier";
+  pier.primitive = BoxShape{{0.4, 0.3, 1.6}};
+  for (const double y : {0.0, 0.8}) {
+    pier.id += 1;
+    pier.position = {0.0, y, 0.6};
+    scene.bodies.push_back(pier);
+  }
+  scene.bodies[0].primitive = BoxShape{{0.2, 0.7, 1.4}};
+  EXPECT_THAT(notes_of(scene), IsEmpty());
+}
+
+TEST(MirroredFaces, ASlopeThatGoesOnIsFine) {
+  Scene scene = gated(0.2, 0.3);
+  scene.bodies[0].orientation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX());
+  scene.bodies[0].primitive = BoxShape{{0.2, 3.0, 3.0}};
+  EXPECT_THAT(notes_of(scene), IsEmpty());
+}
+
+TEST(MirroredFaces, AGateThatReachesPastHoldsTheWater) {
+  World world(gated(0.1, 0.1), {1, nullptr, {}});
+  while (world.time() < 2.0) world.advance();
+  const FluidParticles& p = world.fluid().particles;
+  const auto behind = std::count_if(p.position.begin(), p.position.begin() + static_cast<std::ptrdiff_t>(p.count),
+                                    [](const Float4& x) { return x.x > 0.05F; });
+  EXPECT_EQ(behind, 0);
+}
+
+}  // namespace
+}  // namespace pelagos
