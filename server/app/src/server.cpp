@@ -320,6 +320,7 @@ void Server::refresh_status() {
     status_.scheduled = static_cast<std::uint32_t>(commands_.scheduled_count());
     air_ = world_->air();
     status_.bodies = world_->bodies().states();
+    status_.holds = world_->bodies().holds();
     if (world_->spill()) status_.oil = world_->spill()->budget();
     status_.effort = world_->effort();
     status_.recoveries = recoveries_;

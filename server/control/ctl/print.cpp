@@ -145,6 +145,8 @@ std::string describe_body(const proto::v1::BodyStatus& body) {
                             body.position().y(), body.position().z(), body.heading_deg(), body.speed());
   text += pose;
   if (body.has_pose_age()) text += format(" (%.2f s old)", body.pose_age());
+  if (body.has_hold_volume())
+    text += format(", %.3g m^3 of water in its hold of %.3g m^3", body.water_in_hold(), body.hold_volume());
   return text;
 }
 

@@ -174,6 +174,9 @@ proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
   message.set_scheduled(status.scheduled);
   for (const BodyState& body : status.bodies) fill(body, *message.add_body());
   if (status.command_log) fill(*status.command_log, *message.mutable_command_log());
+  for (const HoldReading& hold : status.holds)
+    for (proto::v1::BodyStatus& body : *message.mutable_body())
+      if (body.id() == hold.body) body.set_hold_volume(hold.volume), body.set_water_in_hold(hold.water);
   message.set_stations(static_cast<std::uint32_t>(stations));
   return message;
 }

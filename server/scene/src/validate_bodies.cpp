@@ -74,6 +74,19 @@ BodyDrive drive_of(int drive) {
   }
 }
 
+HoldStart read_hold(const FieldReader& reader, const BodySettings& body) {
+  if (!reader.has("hold")) return HoldStart::kDefault;
+  if (body.open) reader.fault("hold", "is given to an open mesh, which has none; allowed: with a closed mesh");
+  switch (reader.read_enum("hold")) {
+    case proto::v1::Body::DRY:
+      return HoldStart::kDry;
+    case proto::v1::Body::FLOODED:
+      return HoldStart::kFlooded;
+    default:
+      return HoldStart::kDefault;
+  }
+}
+
 /// A solid cannot have one radius of gyration so long that its square exceeds the sum of the others' squares.
 void check_gyration(const FieldReader& mass, const Eigen::Vector3d& radii) {
   const Eigen::Vector3d squares = radii.cwiseAbs2();
@@ -128,6 +141,7 @@ BodySettings read_body(const FieldReader& reader, const std::optional<Box>& tank
     body.sample_inset = inset;
   read_place(reader, tank, body);
   body.orientation = read_orientation(reader);
+  body.hold = read_hold(reader, body);
   read_freedom(reader, body);
   return body;
 }

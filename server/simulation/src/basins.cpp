@@ -64,7 +64,10 @@ Places find_places(TaskPool& pool, const Scene& scene, const Bodies& bodies, dou
   places.layers = static_cast<std::size_t>(layers);
   places.free.resize(places.layer_size() * places.layers);
   pool.for_each_range(places.free.size(), kPlacesPerBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) places.free[k] = bodies.covers(places.at(k), kClearance * d) ? 0 : 1;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Eigen::Vector3d x = places.at(k);
+      places.free[k] = bodies.covers(x, kClearance * d) || bodies.keeps_dry(x) ? 0 : 1;
+    }
   });
   return places;
 }

@@ -44,11 +44,26 @@ FreeBody::Freedom freedom_of(BodyDrive drive) {
 /// A jump may land on water that stands where the body was before: mapped again, at most so many times.
 constexpr int kRelocations = 8;
 
+constexpr double kLeastHollow = 1e-3;  ///< share of a convex hull: what fills more of it has no hold
+constexpr double kThinPlates = 2.0;    ///< spacings
+
+/// Whether a block of water lies in a hold altogether: the scene pours it there.
+bool lies_in(const Box& block, double spacing, const Hold& hold, const BodyState& state) {
+  const Eigen::Vector3d middle = 0.5 * (block.min + block.max);
+  const Eigen::Vector3d half = (0.5 * block.size() - Eigen::Vector3d::Constant(0.5 * spacing)).cwiseMax(0.0);
+  for (int corner = 0; corner < 9; ++corner) {
+    const Eigen::Vector3d way((corner & 1) ? 1.0 : -1.0, (corner & 2) ? 1.0 : -1.0, (corner & 4) ? 1.0 : -1.0);
+    if (!hold.contains(to_body(state, middle + (corner < 8 ? 1.0 : 0.0) * way.cwiseProduct(half)))) return false;
+  }
+  return true;
+}
+
 constexpr double kHullOverlap = 0.5;  ///< spacings that a body may stand in another's hull at the start
 
 }  // namespace
 
-Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::vector<std::string>& faults) {
+Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::vector<std::string>& faults)
+    : spacing_(scene.particle_spacing) {
   for (const BodySettings& settings : scene.bodies) {
     Body body;
     body.settings = settings;
@@ -68,6 +83,7 @@ Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::v
   }
   faults = body_faults(scene, support_radius, placed());
   if (!faults.empty()) return;
+  for (Body& body : bodies_) open_hold(scene, body);
   make_contacts(scene);
   faults = contact_faults(scene);
 }
@@ -140,6 +156,85 @@ bool Bodies::covers(const Eigen::Vector3d& point, double clearance) const {
 void Bodies::signed_distances(const Eigen::Vector3d& point, double limit, std::vector<double>& each) const {
   each.clear();
   for (const Body& body : bodies_) each.push_back(body.shape.signed_distance(to_body(body.state, point), limit));
+}
+
+/// Finds the body's hold and dries what the sea does not reach.
+void Bodies::open_hold(const Scene& scene, Body& body) const {
+  if (body.shape.kind != MeshKind::kClosed || hollow_share(body.shape.mesh) < kLeastHollow) return;
+  body.hold = Hold(body.shape, scene.particle_spacing);
+  const bool flooded = body.settings.hold == HoldStart::kFlooded ||
+                       (body.settings.hold == HoldStart::kDefault && body.settings.drive == BodyDrive::kStatic);
+  if (body.hold.empty() || flooded) return;
+  std::vector<Box> blocks = scene.water.blocks, poured;
+  if (scene.oil) blocks.insert(blocks.end(), scene.oil->blocks.begin(), scene.oil->blocks.end());
+  for (const Box& block : blocks)
+    if (lies_in(block, scene.particle_spacing, body.hold, body.state)) poured.push_back(block);
+  const auto is_in = [&](const std::vector<Box>& boxes) {
+    return [&boxes, &body](const Eigen::Vector3d& point) {
+      const Eigen::Vector3d x = to_world(body.state, point);
+      return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) {
+        return (x.array() >= box.min.array()).all() && (x.array() <= box.max.array()).all();
+      });
+    };
+  };
+  body.hold.dry_out(is_in(blocks), is_in(poured));
+}
+
+bool Bodies::keeps_dry(const Eigen::Vector3d& point) const {
+  return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
+    return !body.hold.empty() && body.hold.is_dry(to_body(body.state, point));
+  });
+}
+
+std::vector<HoldReading> Bodies::holds() const {
+  std::vector<HoldReading> holds;
+  for (const Body& body : bodies_)
+    if (!body.hold.empty()) holds.push_back({body.settings.id, body.hold.volume(), body.hold_water.volume});
+  return holds;
+}
+
+void Bodies::measure_holds(const Eigen::Vector3d& origin, const FluidState& fluid) {
+  const double volume = fluid.parameters.volume();
+  for (Body& body : bodies_) {
+    if (body.hold.empty()) continue;
+    body.hold_water = {};
+    const FluidParticles& p = fluid.particles;
+    for (std::size_t i = 0; i < p.count; ++i) {
+      const Eigen::Vector3d x =
+          to_body(body.state, Eigen::Vector3d(p.position[i].x, p.position[i].y, p.position[i].z) + origin);
+      if (!body.hold.contains(x)) continue;
+      body.hold_water.volume += volume;
+      body.hold_water.moment += volume * x;
+    }
+  }
+}
+
+std::vector<std::string> Bodies::hold_notes(double level) const {
+  std::vector<std::string> notes;
+  for (const Body& body : bodies_) {
+    if (body.hold.empty()) continue;
+    const Eigen::Vector3d up = body.state.orientation.conjugate() * Eigen::Vector3d::UnitZ();
+    const double below = body.hold.below({up, level - body.state.position.z()}).volume;
+    const std::string name = PlacedShape{&body.settings, &body.shape}.name();
+    if (body.hold_water.volume > 0.0)
+      notes.push_back(fmt::format("{}: its hold of {:.3g} m^3 starts with {:.3g} m^3 of water in it", name,
+                                  body.hold.volume(), body.hold_water.volume));
+    else if (below > 0.0)
+      notes.push_back(
+          fmt::format("{}: its hold of {:.3g} m^3 starts dry, {:.3g} m^3 of it below the level of the water (hold: "
+                      "FLOODED fills it)",
+                      name, body.hold.volume(), below));
+    else
+      continue;
+    const double plating = 2.0 * body.shape.displacement / mesh_area(body.shape.mesh);
+    if (plating < kThinPlates * spacing_)
+      notes.back() += fmt::format(
+          ". Its plating, {:.2g} m thick in the mean, is thinner than two spacings ({:g} m): draft and trim are "
+          "coarse, "
+          "and water may seep in",
+          plating, kThinPlates * spacing_);
+  }
+  return notes;
 }
 
 bool Bodies::accept(const BodyPose& pose, double now) {
@@ -224,6 +319,7 @@ void Bodies::touch(double dt) {
 
 std::vector<BodyLoad> Bodies::take_loads(const Eigen::Vector3d& origin, const FluidState& fluid, double still_level) {
   std::vector<BodyLoad> loads;
+  measure_holds(origin, fluid);
   if (volumes_.empty()) return loads;
   std::vector<SurfacePlace> places;
   for (const Body& body : bodies_)
@@ -241,7 +337,11 @@ std::vector<BodyLoad> Bodies::take_loads(const Eigen::Vector3d& origin, const Fl
     const WaterPlane water = water_around(std::span(places).subspan(first, ring),
                                           std::span(readings).subspan(first, ring), body.state, origin, still_level);
     first += ring;
-    measure_buoyancy(body.shape, water, fluid.parameters.rest_density * fluid.parameters.gravity, load);
+    const double weight_density = fluid.parameters.rest_density * fluid.parameters.gravity;
+    if (body.hold.empty())
+      measure_buoyancy(body.shape, water, weight_density, load);
+    else
+      measure_buoyancy(body.shape, body.hold, body.hold_water, water, weight_density, load);
   }
   return loads;
 }

@@ -81,7 +81,7 @@ void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, cons
       for (std::int64_t i = 0; i < counts[0]; ++i) {
         const Eigen::Vector3d x =
             first + d * Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
-        if (!bodies.empty() && bodies.covers(x, kHullClearance * d)) continue;
+        if (!bodies.empty() && (bodies.covers(x, kHullClearance * d) || bodies.keeps_dry(x))) continue;
         const Eigen::Vector3f local = (x - origin).cast<float>();
         positions.push_back({local.x(), local.y(), local.z(), 0.0F});
       }

@@ -105,7 +105,11 @@ StepFault World::recover() {
 
 void World::note_start() {
   if (bodies_.empty()) return;
-  start_notes_ = mirrored_face_notes(scene_, fluid_.parameters.support_radius, water_level_, bodies_.placed());
+  bodies_.measure_holds(origin_, fluid_);
+  start_notes_ = bodies_.hold_notes(water_level_);
+  for (std::string& note :
+       mirrored_face_notes(scene_, fluid_.parameters.support_radius, water_level_, bodies_.placed()))
+    start_notes_.push_back(std::move(note));
   if (start_notes_.size() <= kMostNotes) return;
   const std::size_t more = start_notes_.size() - kMostNotes;
   start_notes_.resize(kMostNotes);

@@ -12,10 +12,12 @@
 #include "rigid/driven_body.hpp"
 #include "rigid/free_body.hpp"
 #include "simulation/body_drift.hpp"
+#include "simulation/hold.hpp"
 #include "simulation/load_meter.hpp"
 #include "simulation/placed_shape.hpp"
 #include "values/body.hpp"
 #include "values/current.hpp"
+#include "values/hold_reading.hpp"
 #include "values/scene.hpp"
 #include "values/scene_info.hpp"
 
@@ -62,6 +64,16 @@ class Bodies {
   /// Of each body, in order: the distance of a point (m, world) to its surface, m, negative inside; no farther than
   /// +-limit.
   void signed_distances(const Eigen::Vector3d& point, double limit, std::vector<double>& each) const;
+
+  /// Whether a point (m, world) lies in a hold that starts dry: no water starts there.
+  [[nodiscard]] bool keeps_dry(const Eigen::Vector3d& point) const;
+  /// The holds, with the water that was in them when loads were last taken.
+  [[nodiscard]] std::vector<HoldReading> holds() const;
+  /// Counts the water in the holds; `take_loads` does it too.
+  void measure_holds(const Eigen::Vector3d& origin, const FluidState& fluid);
+  /// What becomes of the holds at the start, one line for each that water could stand in.
+  /// @param level  m, world: of the water at rest
+  [[nodiscard]] std::vector<std::string> hold_notes(double level) const;
 
   /// Takes a validated pose. False if no body follows poses under its id or it is not newer than the last one.
   bool accept(const BodyPose& pose, double now);
@@ -121,6 +133,8 @@ class Bodies {
     LoadMeter meter;
     std::size_t first_sample = 0;  ///< among the moving ones
     std::size_t hull = 0;          ///< in `contacts_`, where there are any
+    Hold hold;
+    PartVolume hold_water;  ///< when loads were last taken
 
     BodyDrift drift;
     Eigen::Vector2d drift_force = Eigen::Vector2d::Zero();  ///< N, of a current that the particles do not make
@@ -139,6 +153,7 @@ class Bodies {
   [[nodiscard]] std::vector<std::string> contact_faults(const Scene& scene);
   /// A body as the water's solves see it: a driven one about its origin, and it gives way to nothing.
   [[nodiscard]] static CoupledBody coupled_body(const Body& body, const Eigen::Vector3d& origin);
+  void open_hold(const Scene& scene, Body& body) const;
   void touch(double dt);
   [[nodiscard]] DriftSea sea_of(const Body& body, double time, const Current& current, double water_level) const;
   void place_contacts();
@@ -146,6 +161,7 @@ class Bodies {
   void relocate_water(const Body& body, const BodyState& before, const Eigen::Vector3d& origin,
                       FluidState& fluid) const;
 
+  double spacing_ = 0.0;
   std::vector<Body> bodies_;
   std::vector<float> volumes_;  ///< V_b of the moving samples, m^3
   std::vector<StaticSample> static_;

@@ -5,6 +5,7 @@
 
 #include "rigid/body_shape.hpp"
 #include "rigid/hydrostatics.hpp"
+#include "simulation/hold.hpp"
 #include "simulation/surface_columns.hpp"
 #include "values/body.hpp"
 #include "values/body_load.hpp"
@@ -26,5 +27,11 @@ namespace pelagos {
 /// mesh.
 /// @param weight_density  N/m^3, of the water
 void measure_buoyancy(const BodyShape& shape, const WaterPlane& water, double weight_density, BodyLoad& load);
+
+/// The same for a body with a hold: the air in the part of the hold below the plane bears the body like its own volume,
+/// and the water in the hold weighs on it.
+/// @param hold_water  the water in the hold now
+void measure_buoyancy(const BodyShape& shape, const Hold& hold, const PartVolume& hold_water, const WaterPlane& water,
+                      double weight_density, BodyLoad& load);
 
 }  // namespace pelagos

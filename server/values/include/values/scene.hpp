@@ -151,6 +151,14 @@ enum class BodyDrive {
   return drive == BodyDrive::kPose || drive == BodyDrive::kPoseHorizontal;
 }
 
+/// Whether the hold of a body, room in it that water reaches over a rim only, starts with water in it where a block of
+/// water goes through it.
+enum class HoldStart {
+  kDefault,  ///< dry; for STATIC bodies flooded
+  kDry,
+  kFlooded,
+};
+
 /// What a free body weighs: one of mass and density.
 struct MassSettings {
   double mass = 0.0;                        ///< kg; 0: from the density
@@ -171,6 +179,7 @@ struct BodySettings {
   /// Samples lie this many spacings inside the surface; nothing: default_sample_inset.
   std::optional<double> sample_inset;
   BodyDrive drive = BodyDrive::kPose;
+  HoldStart hold = HoldStart::kDefault;
   MassSettings mass;                                                ///< of free bodies
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();               ///< m/s, world, at the start; of free bodies
   double free_from = 0.0;                                           ///< s, simulated: they hold their place until then
