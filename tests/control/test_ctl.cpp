@@ -61,6 +61,19 @@ TEST_F(Ctl, PrintsTheStatusForPeople) {
   EXPECT_THAT(outcome.err, IsEmpty());
 }
 
+TEST_F(Ctl, PrintsNotesOnTheStartAndWhatIsInTheHolds) {
+  status_.bodies.push_back({});
+  status_.bodies.back().body = 3;
+  status_.holds = {{3, 5.76, 1.5}};
+  status_.start_notes = {"body 3 (lighter): its hold starts dry"};
+  const Outcome people = ask({"status"});
+  EXPECT_THAT(people.out, HasSubstr("1.5 m^3 of water in its hold of 5.76 m^3"));
+  EXPECT_THAT(people.out, HasSubstr("start      body 3 (lighter): its hold starts dry\n"));
+  const auto json = nlohmann::json::parse(ask({"status", "--json"}).out);
+  EXPECT_EQ(json["start_note"][0], "body 3 (lighter): its hold starts dry");
+  EXPECT_EQ(json["body"][0]["water_in_hold"], 1.5);
+}
+
 TEST_F(Ctl, PrintsTheStatusForMachines) {
   status_.step = 9007199254740993;  // beyond what a double holds: numbers stay numbers, exactly
   status_.density_error = std::numeric_limits<double>::quiet_NaN();

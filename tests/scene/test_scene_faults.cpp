@@ -138,6 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"VelocityOfALed", "drive: POSE_HORIZONTAL mass { kg: 1 } velocity { x: 1 }", "velocity",
                   "allowed: with drive FREE"},
         FaultCase{"FreeFromOfADriven", "free_from: 3", "free_from", "allowed: with drive FREE"},
+        FaultCase{"HoldOfAnOpenMesh", "drive: STATIC open: true hold: DRY", "hold", "allowed: with a closed mesh"},
         FaultCase{"FreeFromNegative", "drive: FREE mass { kg: 1 } free_from: -3", "free_from", "-3 is out of range"},
         FaultCase{"Both", "orientation { w: 1 } heading_deg: 3", "orientation", "not both"}),
     [](const auto& entry) { return entry.param.name; });

@@ -118,6 +118,17 @@ TEST(SceneFile, TurnsShipAnglesIntoTheWorldFrame) {
   EXPECT_GT(axis("roll_deg: 10", port).z(), 0.17);      // starboard down: port up
 }
 
+TEST(SceneFile, AHoldStartsAsTheBodySays) {
+  const auto hold_of = [](const std::string& text) {
+    return read_with("body { id: 1 mesh_file: \"a.obj\" position { x: 1 y: 1 z: 1 } " + text + " }")
+        .scene->bodies[0]
+        .hold;
+  };
+  EXPECT_EQ(hold_of(""), HoldStart::kDefault);
+  EXPECT_EQ(hold_of("hold: DRY"), HoldStart::kDry);
+  EXPECT_EQ(hold_of("hold: FLOODED"), HoldStart::kFlooded);
+}
+
 TEST(SceneFile, WindHasTheLawThatItNames) {
   const auto wind_of = [](const std::string& text) {
     return *read_with("wind { velocity { x: 9 } " + text + " }").scene->wind;

@@ -64,6 +64,7 @@ Scene afloat(const BoatFile& boat, double bottom, BodyDrive drive = BodyDrive::k
   scene.tank = {{-3, -2.5, -1.5}, {3, 2.5, 1.5}};
   scene.tank_edges = {TankEdge::kMirror, TankEdge::kMirror, TankEdge::kMirror};
   scene.water.blocks = {{{-3, -2.5, -1.5}, {3, 2.5, 0}}};
+  scene.water.settle_steps = 1;  // a snapshot needs neighbours
   BodySettings body;
   body.id = 1;
   body.name = "lighter";

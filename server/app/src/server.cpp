@@ -274,6 +274,7 @@ void Server::publish_frame(StepReport& report) {
   }
   watch_poses(snapshot->bodies);
   watch_places(snapshot->bodies);
+  for (const std::string& news : hold_watch_.look(world_->bodies().holds())) announce("hold", "server", news);
   if (snapshot->oil) watch_oil(snapshot->oil->budget);
   publisher_->submit(std::move(snapshot));
 }

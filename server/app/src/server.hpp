@@ -13,6 +13,7 @@
 #include "control/control_server.hpp"
 #include "convergence_watch.hpp"
 #include "governor.hpp"
+#include "hold_watch.hpp"
 #include "pelagos_dds/log_sink.hpp"
 #include "pelagos_dds/participant.hpp"
 #include "replay.hpp"
@@ -149,6 +150,7 @@ class Server {
   std::uint64_t refusals_told_ = 0;                   ///< poses refused or corrected at the last event about them
   std::uint64_t requests_dropped_ = 0;                ///< for probes, told so far
   std::int64_t next_refusals_ns_ = 0, next_dropped_ns_ = 0;
+  HoldWatch hold_watch_;
   std::vector<bool> outside_;  ///< by body: last seen outside the tank
   StepReport last_report_;
   std::uint64_t events_ = 0, recoveries_ = 0, effort_changes_ = 0;

@@ -74,8 +74,8 @@ struct ServerStatus {
   std::array<bool, 2> moves_water{false, false};  ///< for x, y: whether the water itself moves with a current
   std::uint32_t scheduled = 0;                    ///< commands that wait for their time
   std::vector<BodyState> bodies;
-  std::vector<HoldReading> holds;        ///< of the bodies that have one
-  std::vector<std::string> start_notes;  ///< what the operator should know about the start of the scene
+  std::vector<HoldReading> holds;              ///< of the bodies that have one
+  std::vector<std::string> start_notes;        ///< what the operator should know about the start of the scene
   std::optional<OilBudget> oil;                ///< nothing in a scene without
   std::optional<CommandLogState> command_log;  ///< nothing where none is written
 };
