@@ -183,6 +183,7 @@ OilBudget some_budget() {
   oil.held_back = 3.25;
   oil.sources = {{"hose", SourceWait::kNone, 0.0, 1.0}, {"keel", SourceWait::kNoWater, 12.0, 33.0}};
   oil.skimmers = {{"rig", 999'999'500'000, 18.5, false}, {"spare", 0, 0.0, true}};
+  oil.booms = {"north", "south", "west"};
   return oil;
 }
 
@@ -199,6 +200,7 @@ TEST_F(CtlOil, StatusPrintsTheLedgerForPeople) {
   EXPECT_THAT(outcome.out, HasSubstr("release keel: waits for 12 s, no water near it, 33 kg held back\n"));
   EXPECT_THAT(outcome.out, HasSubstr("skimmer rig: 1000 t, now 18.5 m^3/h\n"));
   EXPECT_THAT(outcome.out, HasSubstr("skimmer spare: 0 kg, now 0 m^3/h, dry\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("3 of 100 booms (4000 points in all), 2 of 100 skimmers"));
 }
 
 TEST_F(CtlOil, StatusSaysThinFilmsInMicrometres) {
