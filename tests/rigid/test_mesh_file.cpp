@@ -207,6 +207,23 @@ TEST(MeshFile, MendsTrianglesWithoutAreaThatCloseGapsWithoutWidth) {
   EXPECT_THAT(read_mesh(alone.path()).faults, Contains(HasSubstr("the face at line 24 at (2, 0, 0) m has no area")));
 }
 
+TEST(MeshFile, ClosesGapsWithoutWidth) {
+  // The bottom is one square; the sides have more vertices along its edges than it has, off them by rounding.
+  std::string text =
+      "v 0 0 0\nv 3 0 0\nv 3 3 0\nv 0 3 0\nv 0 0 1\nv 3 0 1\nv 3 3 1\nv 0 3 1\n"
+      "v 1 0.00001 0\nv 2 -0.00001 0\nv 3 1.5 0\nv 1 0 1\n"
+      "f 4 3 2 1\nf 5 6 7 8\nf 1 9 12 5\nf 9 10 12\nf 10 2 6 12\nf 2 11 7 6\nf 11 3 7\nf 3 4 8 7\nf 4 1 5 8\n";
+  const TemporaryFile box("gaps.obj", text);
+  const MeshFile file = read_mesh(box.path());
+  ASSERT_THAT(file.faults, IsEmpty()) << file.faults.front();
+  EXPECT_NEAR(mesh_volume(file.mesh), 9.0, 1e-4);
+  EXPECT_EQ(file.mesh.triangles.size(), file.origin.part.size());
+  // A gap with width stays one, and is named.
+  text.replace(text.find("v 3 1.5 0"), 9, "v 3 1.5 .1");
+  const TemporaryFile gap("gap.obj", text);
+  EXPECT_THAT(read_mesh(gap.path()).faults, Contains(HasSubstr("open edge: only the face at line")));
+}
+
 TEST(MeshFile, AnInvertedPolygonIsNamedByItsLineAndTheAdviceHelps) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
   const std::string before = "o crate\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\n", after = "f 3 4 8 7\nf 4 1 5 8\n";

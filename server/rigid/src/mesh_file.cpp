@@ -5,12 +5,14 @@
 #include "flat_triangles.hpp"
 #include "mesh_import/import_mesh.hpp"
 #include "rigid/triangle_mesh.hpp"
+#include "rim_points.hpp"
 
 namespace pelagos {
 
 namespace {
 
-constexpr double kWeldPart = 1e-6;  ///< of the mesh's size
+constexpr double kWeldPart = 1e-6;    ///< of the mesh's size
+constexpr double kOnEdgePart = 1e-5;  ///< of the mesh's size: what rounding to four or five digits leaves
 
 /// The farthest that a corner lies from the first one, along an axis. Vertices without a triangle do not count.
 double largest_coordinate(const TriangleMesh& mesh) {
@@ -62,9 +64,11 @@ MeshFile read_checked(const std::string& path, const MeshOptions& options) {
   if (file.faults.empty()) {
     const Eigen::Matrix3d turn = body_from_file(options.axes);
     for (Eigen::Vector3d& vertex : file.mesh.vertices) vertex = turn * (options.scale * vertex);
-    file.mesh = weld_parts(file.mesh, file.origin.part, kWeldPart * largest_coordinate(file.mesh));
+    const double size = largest_coordinate(file.mesh);
+    file.mesh = weld_parts(file.mesh, file.origin.part, kWeldPart * size);
     drop_collapsed(file);
     mend_flat_triangles(file.mesh, file.origin);
+    if (options.kind == MeshKind::kClosed) divide_at_rim_points(file.mesh, file.origin, kOnEdgePart * size);
     file.faults = find_mesh_faults(file.mesh, options.kind, file.origin);
     if (!file.faults.empty()) file.faults.insert(file.faults.end(), file.notes.begin(), file.notes.end());
   }

@@ -44,7 +44,8 @@ struct MeshFile {
 /// Reads the triangles of a mesh file with import_mesh, all its parts together, multiplies by the scale, turns them
 /// into body axes, merges vertices closer than 1e-6 of the size, and checks the result. Vertices are merged within a
 /// part that is closed by itself, so that parts which touch stay apart; the other parts, as the patches of one hull
-/// are, are merged with each other. Triangles that vanish by that are left out. Never throws; bounded by MeshLimits.
+/// are, are merged with each other. Triangles that vanish by that are left out, flat ones and gaps without width are
+/// mended. Never throws; bounded by MeshLimits.
 [[nodiscard]] MeshFile read_mesh(const std::string& path, const MeshOptions& options = {});
 
 /// Merges vertices closer than `distance`. Triangles keep their order, vertices that of their first use in the list.
