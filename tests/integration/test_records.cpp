@@ -179,13 +179,14 @@ TEST(Assets, AreFoundInTheFoldersThatAreNamed) {
   const auto read = [&](const std::string& mesh, const std::vector<std::string>& more) {
     const std::string file = (folder.path() / "a.scene").string();
     std::ofstream(file) << "particle_spacing: 1 tank { min { x: -30 y: -10 z: -8 } max { x: 30 y: 10 z: 8 } }\n"
-                           "water { block { min { x: -30 y: -10 z: -8 } max { x: 30 y: 10 z: -7 } } }\n"
+                           "water { block { min { x: -30 y: -10 z: -8 } max { x: 30 y: 10 z: -4 } } }\n"
                            "body { id: 1 position { } mesh_file: \""
                         << mesh << "\" }\n";
     std::vector<std::string> words = {program("pelagos-bench"), "run", "--scene", file, "--steps", "1"};
     words.insert(words.end(), more.begin(), more.end());
     RunningProgram run(words);
-    return std::pair(run.wait(kPatience).value_or(-1), run.errors());
+    const int code = run.wait(kPatience).value_or(-1);
+    return std::pair(code, run.errors());
   };
   EXPECT_EQ(read("coaster_hull.obj", {}).first, 0) << read("coaster_hull.obj", {}).second;
   EXPECT_EQ(read("meshes/coaster_hull.obj", {}).first, 0);
