@@ -36,15 +36,53 @@ target_compile_options(pelagos_warnings INTERFACE
   -Wno-restrict
   $<$<BOOL:${PELAGOS_WERROR}>:-Werror>)
 
-# pelagos_add_library(name SOURCES a.cpp ... [LINK lib ...])
+# Sets of foreign headers, each parsed once (precompiled) for all the targets that read them; a target uses one set.
+# They save about half of the time of a build. No header of our own is in them: what a file of the project may include
+# is a matter of its layer alone.
+#   pelagos_plain_headers    the standard library and Eigen: the libraries
+#   pelagos_message_headers  these and Protobuf: what reads and writes messages
+#   pelagos_program_headers  the standard library, Eigen and what command lines and reports are made with: programs
+#   pelagos_test_headers     the standard library, Eigen and GoogleTest: tests
+#   pelagos_link_test_headers  these, Protobuf and JSON: tests of the instructors' link
+# -fpch-preprocess lets ccache keep what was compiled with them (CCACHE_SLOPPINESS=pch_defines,time_macros).
+# The warnings that are off: with precompiled headers GCC 12 gives them, wrongly, about its own std::string.
+set(PELAGOS_HEADER_OPTIONS -fpch-preprocess -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
+# Programs' command lines and tests need no speed of their own: they call what is optimised.
+set(PELAGOS_QUICK_BUILD $<$<CONFIG:Release>:-O1>)
+set(PELAGOS_STANDARD_HEADERS
+  <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <fstream> <functional> <map> <memory> <numeric> <optional>
+  <random> <span> <sstream> <string> <string_view> <thread> <variant> <vector> <Eigen/Core> <Eigen/Geometry>)
+
+# pelagos_add_headers(name HEADERS <a> ... [LINK lib ...] [OPTIONS option ...])
+function(pelagos_add_headers name)
+  cmake_parse_arguments(ARG "" "" "HEADERS;LINK;OPTIONS" ${ARGN})
+  set(source ${CMAKE_BINARY_DIR}/headers/${name}.cpp)
+  file(GENERATE OUTPUT ${source} CONTENT "")
+  add_library(${name} OBJECT ${source})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} pelagos_warnings)
+  target_compile_options(${name} PRIVATE ${PELAGOS_HEADER_OPTIONS} ${ARG_OPTIONS})
+  target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
+endfunction()
+
+# Makes the target read a set of headers; OPTIONS: those that the set was made with.
+function(pelagos_use_headers name set)
+  target_compile_options(${name} PRIVATE ${PELAGOS_HEADER_OPTIONS} ${ARGN})
+  target_precompile_headers(${name} REUSE_FROM ${set})
+endfunction()
+
+# pelagos_add_library(name SOURCES a.cpp ... [LINK lib ...] [HEADERS set])
 # A layer of the project: a static library `name` whose own include root is ./include, so that it sees
 # only the layers it links to. A library without sources is an interface (headers only).
 function(pelagos_add_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "HEADERS" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  if(NOT ARG_HEADERS)
+    set(ARG_HEADERS pelagos_plain_headers)
+  endif()
   if(ARG_SOURCES)
     add_library(${name} STATIC ${ARG_SOURCES})
     target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
     target_link_libraries(${name} PUBLIC ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK} pelagos_warnings)
+    pelagos_use_headers(${name} ${ARG_HEADERS})
   else()
     add_library(${name} INTERFACE)
     target_include_directories(${name} INTERFACE ${CMAKE_CURRENT_SOURCE_DIR}/include)
@@ -57,43 +95,28 @@ function(pelagos_add_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} pelagos_warnings)
+  pelagos_use_headers(${name} pelagos_program_headers ${PELAGOS_QUICK_BUILD})
 endfunction()
 
 # Builds the unit tests and nothing else; what the sanitizer runs of deploy/test build.
 add_custom_target(unit_tests)
 
-# The foreign headers that nearly every test reads, parsed once, and little optimising: the tests call what is
-# optimised, and compile in 0.6 to 0.7 of the time.
-# -fpch-preprocess lets ccache keep what was compiled with them (CCACHE_SLOPPINESS=pch_defines,time_macros).
-# The warnings that are off: with precompiled headers GCC 12 gives them, wrongly, about its own std::string.
-set(PELAGOS_TEST_OPTIONS -fpch-preprocess -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread
-  $<$<CONFIG:Release>:-O1>)
-function(pelagos_add_test_headers)
-  set(source ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
-  file(GENERATE OUTPUT ${source} CONTENT "")
-  add_library(pelagos_test_headers OBJECT ${source})
-  target_link_libraries(pelagos_test_headers PUBLIC GTest::gmock Eigen3::Eigen pelagos_warnings Threads::Threads)
-  target_compile_options(pelagos_test_headers PUBLIC ${PELAGOS_TEST_OPTIONS})
-  target_precompile_headers(pelagos_test_headers PRIVATE
-    <gmock/gmock.h> <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry>
-    <algorithm> <array> <chrono> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional> <random> <span>
-    <string> <thread> <vector>)
-endfunction()
-
-# pelagos_add_test(name SOURCES test_a.cpp ... [LINK lib ...] [LABELS unit] [TIMEOUT seconds] [SERIAL])
+# pelagos_add_test(name SOURCES test_a.cpp ... [LINK lib ...] [LABELS unit] [TIMEOUT seconds] [HEADERS set] [SERIAL])
 # A GoogleTest program registered with ctest, each TEST a ctest entry. SERIAL: no other test runs beside these.
 function(pelagos_add_test name)
-  cmake_parse_arguments(ARG "SERIAL" "LABELS;TIMEOUT" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL" "LABELS;TIMEOUT;HEADERS" "SOURCES;LINK" ${ARGN})
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
+  endif()
+  if(NOT ARG_HEADERS)
+    set(ARG_HEADERS pelagos_test_headers)
   endif()
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} pelagos_test_places GTest::gmock GTest::gtest_main pelagos_warnings)
-  target_compile_options(${name} PRIVATE ${PELAGOS_TEST_OPTIONS})
-  target_precompile_headers(${name} REUSE_FROM pelagos_test_headers)
+  pelagos_use_headers(${name} ${ARG_HEADERS} ${PELAGOS_QUICK_BUILD})
   if(ARG_LABELS STREQUAL "unit")
     add_dependencies(unit_tests ${name})
   endif()

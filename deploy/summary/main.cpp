@@ -23,16 +23,20 @@ void write_summary(const std::filesystem::path& file, const nlohmann::ordered_js
 
 int run(const std::filesystem::path& folder, const RunFacts& facts) {
   const RunFiles files = read_run(folder);
-  const std::vector<std::string> faults = find_faults(files);
+  const std::vector<std::string> failures = find_failures(files), shortfalls = find_shortfalls(files);
+  std::vector<std::string> faults = failures;
+  faults.insert(faults.end(), shortfalls.begin(), shortfalls.end());
   const nlohmann::ordered_json summary = summarise(files, facts, faults);
   write_summary(folder / "summary.json", summary);
 
-  std::cout << "\n" << describe(summary) << "\nmade in " << folder.string() << ":\n  summary.json\n";
+  std::cout << "\n" << describe(summary);
+  for (const std::string& fault : faults) std::cout << "fault      " << fault << "\n";
+  if (faults.empty()) std::cout << "faults     none\n";
+  std::cout << "\nmade in " << folder.string() << ":\n  summary.json\n";
   for (const PictureFile& picture : files.pictures) {
     std::cout << "  " << picture.name << "  " << picture.width << "x" << picture.height << "\n";
   }
-  for (const std::string& fault : faults) std::cerr << "pelagos-demo-summary: " << fault << "\n";
-  return faults.empty() ? kOk : kFailed;
+  return failures.empty() ? kOk : kFailed;
 }
 
 }  // namespace

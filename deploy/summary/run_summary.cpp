@@ -13,6 +13,8 @@ namespace {
 using nlohmann::ordered_json;
 using Pointer = ordered_json::json_pointer;
 
+constexpr double kRealTime = 0.995;  ///< of real time: less is not 1.00 in two digits
+
 /// The number at a place such as "/speed/step_ms_mean"; empty if there is none.
 std::optional<double> number(const ordered_json& json, const char* place) {
   const Pointer pointer(place);
@@ -47,8 +49,10 @@ class Faults {
   std::vector<std::string> list_;
 };
 
+std::string name_of(const ordered_json& channel) { return "viewer " + text(channel, "/channel"); }
+
 void judge_channel(const ordered_json& channel, Faults& faults) {
-  const std::string name = "viewer " + text(channel, "/channel");
+  const std::string name = name_of(channel);
   faults.require_positive(channel, "/frames_drawn", name);
   faults.require_positive(channel, "/pictures_written", name);
   for (const auto& error : channel.value("errors", ordered_json::array()))
@@ -72,7 +76,7 @@ ordered_json picture_list(const RunFiles& files) {
 
 }  // namespace
 
-std::vector<std::string> find_faults(const RunFiles& files) {
+std::vector<std::string> find_failures(const RunFiles& files) {
   Faults faults;
   for (const char* place : {"/particles", "/speed/real_time_factor", "/speed/step_ms_mean",
                             "/transport/frames_published", "/transport/poses_accepted"}) {
@@ -87,6 +91,24 @@ std::vector<std::string> find_faults(const RunFiles& files) {
   faults.require(files.poses.failed == 0, "bridge: " + std::to_string(files.poses.failed) + " poses could not be sent");
   faults.require(number_or_zero(files.status_after, "/wind/speed") > number_or_zero(files.status_before, "/wind/speed"),
                  "control: the wind did not rise");
+  return faults.take();
+}
+
+std::vector<std::string> find_shortfalls(const RunFiles& files) {
+  Faults faults;
+  const double factor = number_or_zero(files.server, "/speed/real_time_factor");
+  faults.require(factor >= kRealTime, format("server: the sea ran at %.2f of real time, should be 1.00: the machine is "
+                                             "too slow for the scene, or other programs use its cores",
+                                             factor));
+  const double dropped = number_or_zero(files.server, "/transport/frames_dropped");
+  faults.require(dropped == 0.0, format("server: %.0f frames dropped before they were sent, should be 0", dropped));
+  for (const ordered_json& channel : files.channels) {
+    const double missed = number_or_zero(channel, "/gaps"), received = number_or_zero(channel, "/frames_received");
+    faults.require(missed == 0.0,
+                   name_of(channel) + format(": missed %.0f of %.0f frames, should be 0; socket buffers that are too "
+                                             "small lose them (see docs/operators.md)",
+                                             missed, missed + received));
+  }
   return faults.take();
 }
 

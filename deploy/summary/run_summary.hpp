@@ -15,8 +15,11 @@ struct RunFacts {
   double wall_seconds = 0.0;  ///< from the start of the server to its end, start-up and stopping included
 };
 
-/// What is wrong with the run, a line each; empty for a run that did all it should.
-[[nodiscard]] std::vector<std::string> find_faults(const RunFiles& files);
+/// What did not work, a line each: parts of the chain that did nothing or reported errors.
+[[nodiscard]] std::vector<std::string> find_failures(const RunFiles& files);
+
+/// What worked, but too slowly for the machine, a line each: a sea slower than real time, frames dropped or missed.
+[[nodiscard]] std::vector<std::string> find_shortfalls(const RunFiles& files);
 
 /// The content of summary.json. Every value comes from the programs' own reports; docs/operators.md lists the keys.
 [[nodiscard]] nlohmann::ordered_json summarise(const RunFiles& files, const RunFacts& facts,

@@ -1,6 +1,9 @@
 #include "control_client.hpp"
 
+#include <array>
 #include <boost/asio/connect.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/write.hpp>
 
 namespace pelagos {
@@ -35,28 +38,37 @@ std::string seconds_text(std::chrono::milliseconds duration) {
 
 }  // namespace
 
+struct ControlClient::Link {
+  asio::io_context io{1};
+  asio::ip::tcp::socket socket{io};
+  std::array<char, 8192> chunk{};
+};
+
 ControlClient::ControlClient(const Endpoint& server, std::chrono::milliseconds timeout)
-    : server_(server), timeout_(timeout) {
+    : server_(server), timeout_(timeout), link_(std::make_unique<Link>()) {
   connect();
   read_more();
 }
 
+ControlClient::~ControlClient() = default;
+
 void ControlClient::connect() {
   error_code error;
-  asio::ip::tcp::resolver resolver(io_);
+  asio::ip::tcp::resolver resolver(link_->io);
   const auto addresses = resolver.resolve(server_.host, std::to_string(server_.port), error);
   if (error) {
     throw ClientError("no such host: \"" + server_.host + "\" (" + error.message() +
                       "); give the server's address with --server HOST:PORT");
   }
   error = asio::error::would_block;
-  asio::async_connect(socket_, addresses, [&](error_code result, const asio::ip::tcp::endpoint&) { error = result; });
-  io_.restart();
-  io_.run_for(timeout_);
+  asio::async_connect(link_->socket, addresses,
+                      [&](error_code result, const asio::ip::tcp::endpoint&) { error = result; });
+  link_->io.restart();
+  link_->io.run_for(timeout_);
   if (error == asio::error::would_block) {
-    socket_.close();
-    io_.restart();
-    io_.run();
+    link_->socket.close();
+    link_->io.restart();
+    link_->io.run();
     throw ClientError("no answer from " + to_string(server_) + " within " + seconds_text(timeout_) +
                       "; is the address right, and does a firewall stand between?");
   }
@@ -65,7 +77,7 @@ void ControlClient::connect() {
                       "? Start it with: pelagos-server --scene FILE --control " + to_string(server_));
   }
   if (error) throw ClientError("cannot connect to " + to_string(server_) + ": " + error.message());
-  socket_.set_option(asio::ip::tcp::no_delay(true), error);
+  link_->socket.set_option(asio::ip::tcp::no_delay(true), error);
 }
 
 std::string ControlClient::trouble() const { return "the link to " + to_string(server_) + " ended: " + failure_; }
@@ -82,7 +94,7 @@ proto::v1::Response ControlClient::ask(proto::v1::Request request) {
       if (response.id() == last_id_ || (response.id() == 0 && response.has_error())) return response;
     }
     if (!failure_.empty()) throw ClientError(trouble());
-    if (io_.run_one_until(deadline) == 0) {
+    if (link_->io.run_one_until(deadline) == 0) {
       throw ClientError(to_string(server_) + " did not answer within " + seconds_text(timeout_) +
                         "; is it a pelagos-server, and is it overloaded? Allow more with --timeout S");
     }
@@ -93,7 +105,7 @@ std::optional<proto::v1::Event> ControlClient::next_event(std::chrono::milliseco
   const auto deadline = Clock::now() + timeout;
   while (events_.empty()) {
     if (!failure_.empty()) throw ClientError(trouble());
-    if (io_.run_one_until(deadline) == 0) return std::nullopt;
+    if (link_->io.run_one_until(deadline) == 0) return std::nullopt;
   }
   proto::v1::Event event = std::move(events_.front());
   events_.pop_front();
@@ -102,28 +114,28 @@ std::optional<proto::v1::Event> ControlClient::next_event(std::chrono::milliseco
 
 void ControlClient::send(const std::string& framed, Clock::time_point deadline) {
   bool sent = false;
-  io_.restart();
-  asio::async_write(socket_, asio::buffer(framed), [&](error_code, std::size_t) {
+  link_->io.restart();
+  asio::async_write(link_->socket, asio::buffer(framed), [&](error_code, std::size_t) {
     sent = true;  // if it failed, reading tells why: the server may have said it before it closed
   });
   while (!sent) {
-    if (io_.run_one_until(deadline) > 0) continue;
-    socket_.close();  // cancels the write, which holds references to this frame
-    io_.restart();
-    io_.run();
+    if (link_->io.run_one_until(deadline) > 0) continue;
+    link_->socket.close();  // cancels the write, which holds references to this frame
+    link_->io.restart();
+    link_->io.run();
     throw ClientError(to_string(server_) + " took no request within " + seconds_text(timeout_));
   }
 }
 
 void ControlClient::read_more() {
-  socket_.async_read_some(asio::buffer(chunk_), [this](error_code error, std::size_t count) {
+  link_->socket.async_read_some(asio::buffer(link_->chunk), [this](error_code error, std::size_t count) {
     if (error) {
       if (failure_.empty()) {
         failure_ = error == asio::error::eof ? "closed by the server" : error.message();
       }
       return;
     }
-    input_.append(chunk_.data(), count);
+    input_.append(link_->chunk.data(), count);
     take_messages();
     if (failure_.empty()) read_more();
   });

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <chrono>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -24,6 +22,7 @@ class ControlClient {
  public:
   /// Connects. @throws ClientError
   ControlClient(const Endpoint& server, std::chrono::milliseconds timeout);
+  ~ControlClient();
 
   /// Sends a request under an id of its own and waits for its response; events that come in between are kept.
   /// @throws ClientError if the link ends or the timeout passes
@@ -42,9 +41,8 @@ class ControlClient {
 
   Endpoint server_;
   std::chrono::milliseconds timeout_;
-  boost::asio::io_context io_{1};
-  boost::asio::ip::tcp::socket socket_{io_};
-  std::array<char, 8192> chunk_{};
+  struct Link;  ///< the socket
+  std::unique_ptr<Link> link_;
   std::string input_;
   std::string failure_;  ///< why the link ended; empty while it stands
   std::deque<proto::v1::Response> responses_;
