@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "../support/places.hpp"
 #include "control_fixture.hpp"
 #include "ctl.hpp"
 #include "values/beaufort.hpp"
@@ -320,8 +321,8 @@ TEST(CtlAlone, HelpHasExamplesAndVersionTells) {
 
 /// The program itself, as a shell calls it.
 TEST_F(Ctl, TheBinarySpeaksToARunningServer) {
-  const std::string command =
-      "'" + std::string(PELAGOS_CTL) + "' --server 127.0.0.1:" + std::to_string(port()) + " status --json 2>&1";
+  const std::string command = "'" + test::build_path("bin/pelagos-ctl") +
+                              "' --server 127.0.0.1:" + std::to_string(port()) + " status --json 2>&1";
   FILE* pipe = ::popen(command.c_str(), "r");
   ASSERT_NE(pipe, nullptr);
   std::string out;

@@ -1,4 +1,5 @@
 #include "dam_break.hpp"
+#include "../../support/places.hpp"
 
 namespace pelagos::validation {
 
@@ -9,6 +10,6 @@ WaterRun start_dam_break(int threads, const DamBreak& dam, const SolverChoice& s
   return {threads, parameters, solver, fill_block(parameters, {dam.length, width, dam.height})};
 }
 
-std::string data_file(const std::string& name) { return std::string(PELAGOS_VALIDATION_DATA) + '/' + name; }
+std::string data_file(const std::string& name) { return test::source_path("tests/validation/data/" + name); }
 
 }  // namespace pelagos::validation

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "../../support/places.hpp"
 #include "harness.hpp"
 #include "measures.hpp"
 #include "physics/kernel.hpp"
@@ -39,7 +40,7 @@ Densities densities_at(const CubicSpline& kernel, const std::vector<double>& x, 
 
 /// The rows of one support radius of the reference: x, rest density, standard sum, number density.
 std::array<std::vector<double>, 4> read_line(double support) {
-  const auto columns = read_columns(std::string(PELAGOS_VALIDATION_DATA) + "/interface_density_1d.csv", "cubic");
+  const auto columns = read_columns(test::source_path("tests/validation/data/interface_density_1d.csv"), "cubic");
   std::array<std::vector<double>, 4> line;
   for (std::size_t row = 0; row < columns[0].size(); ++row)
     if (columns[0][row] == support)

@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "../../support/places.hpp"
 #include "harness.hpp"
 #include "scene/read_scene.hpp"
 #include "solver_names.hpp"
@@ -12,7 +13,7 @@ namespace {
 constexpr double kPaperStep = 2.44;  // s a step, paper section VI.C, of 64,251 + 10,000 particles
 
 Scene spill_scene(const Subject& subject) {
-  const SceneResult result = read_scene_file(std::string(PELAGOS_SCENES) + "/oil_spill.scene");
+  const SceneResult result = read_scene_file(test::source_path("scenes/oil_spill.scene"));
   if (!result) throw std::runtime_error(result.report());
   Scene scene = *result.scene;
   if (!choose_solver(subject.solver, scene.solver)) throw std::invalid_argument("no solver " + subject.solver);

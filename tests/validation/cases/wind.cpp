@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../../support/places.hpp"
 #include "harness.hpp"
 #include "measures.hpp"
 #include "simulation/world.hpp"
@@ -24,7 +25,7 @@ WindSettings steady(WindLaw law, double speed) {
 
 // ---- the air
 
-std::string data_file(const std::string& name) { return std::string(PELAGOS_VALIDATION_DATA) + '/' + name; }
+std::string data_file(const std::string& name) { return test::source_path("tests/validation/data/" + name); }
 
 /// Against published numbers: the noise at 15 places, the drag from 4 to 25 m/s.
 void compare_with_tables(Session& session, const Subject& subject) {
