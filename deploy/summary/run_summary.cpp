@@ -155,10 +155,11 @@ std::string describe(const ordered_json& summary) {
   lines += format("wind       %.1f m/s before, %.1f m/s after\n", number_or_zero(control, "/status_before/wind/speed"),
                   number_or_zero(control, "/status_after/wind/speed"));
   for (const ordered_json& viewer : summary.at("viewers")) {
-    lines += format("viewer     %-10s %4.0f frames drawn, %.1f a second, %.0f ms each, %.0f ms behind the sea\n",
+    const auto latency = number(viewer, "/latency_ms/p50");
+    lines += format("viewer     %-10s %4.0f frames drawn, %.1f a second, %.0f ms each, %s\n",
                     text(viewer, "/channel").c_str(), number_or_zero(viewer, "/frames_drawn"),
                     number_or_zero(viewer, "/fps"), number_or_zero(viewer, "/frame_ms_mean"),
-                    number_or_zero(viewer, "/latency_ms/p50"));
+                    latency ? format("%.0f ms behind the sea", *latency).c_str() : "latency not known");
   }
   return lines;
 }

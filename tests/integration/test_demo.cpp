@@ -89,9 +89,10 @@ void check_viewers(const json& summary) {
   for (const json& viewer : summary.at("viewers")) {
     SCOPED_TRACE(viewer.at("channel").get<std::string>());
     EXPECT_EQ(viewer.at("scene"), "bridge");
-    for (const char* place : {"/frames_drawn", "/frame_ms_mean", "/pictures_written", "/latency_ms/mean"}) {
-      expect_positive(viewer, place);
-    }
+    for (const char* place : {"/frames_drawn", "/frame_ms_mean", "/pictures_written"}) expect_positive(viewer, place);
+    // Without a number where every frame took longer than 2 s, as on a machine that gives an idle channel no time.
+    ASSERT_TRUE(viewer.contains("latency_ms"));
+    if (!viewer.at("latency_ms").is_null()) expect_positive(viewer, "/latency_ms/mean");
     EXPECT_TRUE(viewer.contains("gaps"));
     EXPECT_EQ(viewer.at("frames_refused"), 0);
     EXPECT_EQ(viewer.at("errors").size(), 0U);

@@ -37,6 +37,24 @@ TEST(World, RestsAtTheLevelItStates) {
   EXPECT_EQ(world.fluid().particles.count, 1140U);
 }
 
+/// A sea that is paused before its first step is shown too.
+TEST(World, IsSeenBeforeItsFirstStep) {
+  const CubeFile cube;
+  Scene scene = basin_with_cube(cube);
+  for (const BodyDrive drive : {BodyDrive::kPose, BodyDrive::kFree})
+    for (const int settle_steps : {0, 1}) {
+      scene.bodies[0].drive = drive;
+      scene.water.settle_steps = settle_steps;
+      World world(scene, {1, nullptr, {}});
+      Snapshot snapshot;
+      StepReport report;
+      world.fill_snapshot(snapshot, report);
+      EXPECT_GT(snapshot.particles.size(), 200U) << "its surface";  // a column in four at least: 19 x 15 columns
+      ASSERT_EQ(snapshot.bodies.size(), 1U);
+      EXPECT_TRUE(snapshot.bodies[0].position.allFinite());
+    }
+}
+
 TEST(World, SameBitsForOneTwoAndSevenThreads) {
   const CubeFile cube;
   Scene scene = basin_with_cube(cube);

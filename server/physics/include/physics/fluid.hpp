@@ -127,7 +127,8 @@ void measure_fluid(TaskPool& pool, const FluidState& state, double dt, StepRepor
 
 /// Position-only relaxation: moves particles until the density constraint holds, without giving them velocity. Removes
 /// the jump that a fresh lattice against sampled walls (6 % too dense) would make in its first step. The accelerations
-/// are gravity and viscosity afterwards.
+/// are gravity and viscosity afterwards. With 0 steps it sorts and finds neighbours, so that the start can be looked
+/// at.
 void settle_fluid(TaskPool& pool, FluidState& state, int steps);
 
 /// The largest admissible time step for the coming step: min(max_step, cfl d / max|v + dt a|).
