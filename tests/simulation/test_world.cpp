@@ -44,6 +44,7 @@ TEST(World, IsSeenBeforeItsFirstStep) {
   for (const BodyDrive drive : {BodyDrive::kPose, BodyDrive::kFree})
     for (const int settle_steps : {0, 1}) {
       scene.bodies[0].drive = drive;
+      scene.bodies[0].mass.density = 500.0;
       scene.water.settle_steps = settle_steps;
       World world(scene, {1, nullptr, {}});
       Snapshot snapshot;
