@@ -125,6 +125,13 @@ TEST(MeshPrograms, RefusalsTakeASecondAndAQuarterGigabyteAtMost) {
   }
 }
 
+TEST(MeshPrograms, AShapeThatIsNoneIsToldFromAFile) {
+  const test::MeshFiles files;
+  const Ended mesh = run({program("pelagos-mesh"), "primitive:box:2x1"}, files.folder() / "log");
+  EXPECT_EQ(mesh.exit_code, 1);
+  EXPECT_THAT(mesh.output, HasSubstr("primitive:box:2x1: is no shape; allowed: primitive:box:LENGTHxBREADTHxHEIGHT"));
+}
+
 TEST(MeshPrograms, PelagosMeshSaysWhatARunSays) {
   const test::MeshFiles files;
   const std::string open = kBox.substr(0, kBox.rfind("f 4"));

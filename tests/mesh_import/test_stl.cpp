@@ -136,7 +136,8 @@ TEST(Stl, TextThatIsWrongIsNamedByItsLine) {
   const auto fault = [](const std::string& text) { return first_fault(imported("a.stl", text)); };
   EXPECT_THAT(fault(replaced(plain, "vertex 2 0 0", "vertex 2,5 0 0")),
               ::testing::AllOf(HasSubstr("line 6"), HasSubstr("\"2,5\" has a decimal comma")));
-  EXPECT_THAT(fault(replaced(plain, "vertex 0 0 2", "vertex 0 0")), HasSubstr("line 14"));
+  EXPECT_THAT(fault(replaced(plain, "vertex 0 0 2", "vertex 0 0")),
+              HasSubstr("line 13: the vertex has fewer than three numbers"));
   EXPECT_THAT(fault(replaced(plain, "vertex 0 0 2", "vertex 0 0 inf")), HasSubstr("\"inf\" is not a finite number"));
   EXPECT_THAT(fault("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\nendfacet\nendsolid\n"),
               ::testing::AllOf(HasSubstr("line 2"), HasSubstr("has 1 corners; allowed: 3 or more")));

@@ -28,6 +28,7 @@ TEST(Decimal, ReadsNothingElse) {
 
 TEST(Decimal, SaysWhatIsWrong) {
   EXPECT_EQ(fault_of_number("0,5", NumberKind::kReal), "a decimal comma; write 0.5");
+  EXPECT_EQ(fault_of_number("0,5", NumberKind::kWhole), "not a whole number");
   EXPECT_EQ(fault_of_number("12kn", NumberKind::kReal), "\"kn\" follows the number; write 12");
   EXPECT_EQ(fault_of_number("NaN", NumberKind::kReal), "not finite");
   EXPECT_EQ(fault_of_number("0X1f", NumberKind::kReal), "hexadecimal");

@@ -164,9 +164,11 @@ class TextStl {
     expect("loop");
     corners_.clear();
     while (word() == "vertex") {
+      const std::size_t here = line();
       Eigen::Vector3d point;
       for (double& c : point) {
-        (void)word();
+        if (word() == "vertex" || word_ == "endloop")
+          throw ImportFault(here, "the vertex has fewer than three numbers");
         c = read_number(written_, line());
       }
       corners_.push_back(mesh_.shared_vertex(point));

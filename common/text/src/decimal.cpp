@@ -66,10 +66,10 @@ std::string foreign_character(std::string_view text) {
 }
 
 /// What is wrong with what follows the number.
-std::string fault_of_rest(std::string_view text, std::size_t end) {
+std::string fault_of_rest(std::string_view text, std::size_t end, NumberKind kind) {
   const std::string number(text.substr(0, end)), rest(text.substr(end));
   if (rest[0] == ',' && rest.size() > 1 && std::all_of(rest.begin() + 1, rest.end(), is_digit))
-    return "a decimal comma; write " + with_point(text);
+    return kind == NumberKind::kReal ? "a decimal comma; write " + with_point(text) : "not a whole number";
   return "\"" + rest + "\" follows the number; write " + number;
 }
 
@@ -82,7 +82,7 @@ std::string fault_of_number(std::string_view text, NumberKind kind) {
   if (std::string fault = foreign_character(text); !fault.empty()) return fault;
   const std::size_t end = end_of_number(text);
   if (end == 0) return "no number";
-  if (end < text.size()) return fault_of_rest(text, end);
+  if (end < text.size()) return fault_of_rest(text, end, kind);
   if (kind != NumberKind::kReal && text.find_first_of(".eE") != std::string_view::npos) return "not a whole number";
   if (kind == NumberKind::kNotNegative && text[0] == '-' && text.find_first_of("123456789") != std::string_view::npos)
     return "negative";

@@ -29,6 +29,10 @@ void line(std::ostream& out, const char* name, const std::string& value) { fmt::
 
 MeshFile load(const std::string& file, const MeshOptions& options) {
   if (const auto primitive = parse_primitive(file)) return {make_mesh(*primitive), {}};
+  if (file.starts_with("primitive:"))
+    return {{},
+            {file + ": is no shape; allowed: primitive:box:LENGTHxBREADTHxHEIGHT, primitive:sphere:RADIUS, "
+                    "primitive:cylinder:RADIUSxLENGTH, primitive:capsule:RADIUSxLENGTH, in metres, above 0"}};
   return read_mesh(file, options);
 }
 
