@@ -29,7 +29,7 @@ std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
   app.add_option("--rig", options.rig, "rig file (default: rigs/ship_bridge.json of the assets)");
   app.add_option("--domain", options.domain, "DDS domain")->check(WholeFrom(0, 230))->capture_default_str();
   app.add_option("--dds-config", options.dds_config, "Cyclone DDS XML file (default: loopback of this machine)");
-  app.add_option("--assets", options.assets, "folder that holds meshes/ and rigs/");
+  app.add_option("--assets", options.assets, "folder that holds meshes/ and rigs/")->check(FolderThatExists());
   const auto check_size = [](const std::string& text) -> std::string {
     int width = 0, height = 0;
     return read_size(text, width, height) ? "" : "is " + text + "; allowed: WIDTHxHEIGHT, 64x36 to 8192x8192";

@@ -262,7 +262,7 @@ TEST(SceneFile, NamesEverythingThatIsMissing) {
 }
 
 TEST(SceneFile, RefusesEmptyAndUnprintableNames) {
-  EXPECT_THAT(read_replacing("small", "").faults, ElementsAre(HasSubstr(":1: name: has 0 characters")));
+  EXPECT_THAT(read_replacing("small", "").faults, ElementsAre(HasSubstr(":1: name: has 0 bytes of UTF-8")));
   EXPECT_THAT(read_replacing("small", "a b/c").faults, ElementsAre(HasSubstr("A-Z a-z 0-9 _ - .")));
 }
 

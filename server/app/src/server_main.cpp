@@ -60,9 +60,9 @@ void add_options(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
   app.add_option("--report", arguments.report_file, "Write what the run reached there, as JSON, at the end");
   app.add_option("--command-log", options.command_log,
-                 "Write every command there before which step it was applied, as text; see --replay");
+                 "Write every command there, with the step before which it was applied; see --replay");
   app.add_option("--replay", arguments.replay_file,
-                 "Give the commands of this log again, at its steps, and end where its run ended: the same bits");
+                 "Repeat the run of this command log: its commands at its steps, to its end; gives the same bits");
   app.add_option("--log-level", arguments.log_level, "Least level to log")
       ->check(OneOf({"debug", "info", "warning", "error"}))
       ->capture_default_str();

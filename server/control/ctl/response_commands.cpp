@@ -45,7 +45,7 @@ void ResponseCommands::add_to(CLI::App& app) {
 
 void ResponseCommands::add_release(CLI::App& app) {
   release = app.add_subcommand("release", "Let oil flow out of a source; one of the same name is replaced");
-  release->add_option("name", name, "Of the source (1 to " + std::to_string(limits::kLongestName) + " characters)")
+  release->add_option("name", name, "Of the source (1 to " + std::to_string(limits::kLongestName) + " bytes)")
       ->required();
   release->add_option("--from", from, "X Y Z where it flows out, m, world frame; with --body in the body's axes")
       ->expected(3);
@@ -66,8 +66,7 @@ void ResponseCommands::add_spill(CLI::App& app) {
 
 void ResponseCommands::add_boom(CLI::App& app) {
   boom = app.add_subcommand("boom", "Moor a floating barrier; one of the same name is replaced");
-  boom->add_option("name", name, "Of the boom (1 to " + std::to_string(limits::kLongestName) + " characters)")
-      ->required();
+  boom->add_option("name", name, "Of the boom (1 to " + std::to_string(limits::kLongestName) + " bytes)")->required();
   boom->add_option("points", places,
                    "X Y of each point along it, m, world frame (" + std::to_string(limits::kFewestPoints) + " to " +
                        std::to_string(limits::kMostPoints) + " points)")
@@ -80,7 +79,7 @@ void ResponseCommands::add_boom(CLI::App& app) {
 
 void ResponseCommands::add_skimmer(CLI::App& app) {
   skimmer = app.add_subcommand("skimmer", "Take oil from the water at a place; one of the same name is replaced");
-  skimmer->add_option("name", name, "Of the skimmer (1 to " + std::to_string(limits::kLongestName) + " characters)")
+  skimmer->add_option("name", name, "Of the skimmer (1 to " + std::to_string(limits::kLongestName) + " bytes)")
       ->required();
   skimmer->add_option("place", places, "X Y of its middle, m, world frame")->expected(0, kMostNumbers);
   skimmer->add_option("--radius", radius, help_with("Of its reach, m", limits::kSkimmerRadius, "2"));

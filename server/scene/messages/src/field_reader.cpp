@@ -152,7 +152,7 @@ bool FieldReader::read(const char* name, std::size_t max_length, std::string& va
   if (!has(name)) return false;
   const std::string given = message_->GetReflection()->GetString(*message_, &field(name));
   if (given.empty() || given.size() > max_length || std::any_of(given.begin(), given.end(), is_control)) {
-    fault(name, "has " + std::to_string(given.size()) + " characters; allowed: 1 to " + std::to_string(max_length) +
+    fault(name, "has " + std::to_string(given.size()) + " bytes of UTF-8; allowed: 1 to " + std::to_string(max_length) +
                     ", none of them a control character");
     return false;
   }
