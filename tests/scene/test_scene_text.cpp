@@ -109,6 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
         TextCase{"DecimalCommaBeforeBrace", "wind { speed: 5,25 }", "7:15: speed: ", {"write 5.25"}},
         TextCase{"DecimalCommaInAListOfMessages", "event [ { at: 1,5 pause {} } ]", "7:15: at: ", {"write 1.5"}},
         TextCase{"GroupsOfThousands", "seed: 1,000", "7:7: seed: ", {"write 1.000, or 1000"}},
+        TextCase{"GroupsByPoints", "water_level: 1.000,5", "7:14: water_level: ", {"write 1000.5"}},
         TextCase{"Apostrophes", "seed: 1'000", "7:7: seed: ", {"'", "without separators"}},
         TextCase{"Spaces", "seed: 10 000", "7:7: seed: ", {"10 and 000", "without spaces"}},
         TextCase{"Unit", "gravity: 9.81 m", "7:10: gravity: ", {"\"m\" behind the number 9.81", "alone"}},

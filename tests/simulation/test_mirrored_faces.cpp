@@ -80,6 +80,15 @@ TEST(MirroredFaces, WhatStaysAboveTheWaterIsFine) {
   EXPECT_THAT(notes_of(scene), IsEmpty());
 }
 
+TEST(MirroredFaces, TheTopOfTheTankAboveTheWaterIsNoFace) {
+  Scene scene = gated(0.2, 0.1);
+  scene.water.blocks = {{{-1, 0, 0}, {1, 0.8, 0.8}}};
+  scene.tank.max.z() = 1.0;
+  EXPECT_THAT(notes_of(scene), IsEmpty()) << "two spacings above it, the gate goes on past it";
+  scene.tank.max.z() = 1.3;
+  EXPECT_THAT(notes_of(scene), IsEmpty()) << "the gate ends before it";
+}
+
 TEST(MirroredFaces, AFreeBodyIsToldToKeepAwayOnly) {
   Scene scene = gated(0.4, 0.0);
   BodySettings& body = scene.bodies[0];

@@ -112,6 +112,8 @@ std::vector<std::string> mirrored_face_notes(const Scene& scene, double support_
     if (scene.tank_edges[static_cast<std::size_t>(axis)] != TankEdge::kMirror) continue;
     for (const bool upper : {false, true}) {
       const Face face{axis, upper, upper ? scene.tank.max[axis] : scene.tank.min[axis]};
+      // Above the water a body may end where it likes.
+      if (axis == 2 && upper && face.place > level + scene.particle_spacing) continue;
       std::vector<std::vector<NearSample>> of_body;
       std::vector<NearSample> beyond;
       for (const PlacedShape& body : bodies) {

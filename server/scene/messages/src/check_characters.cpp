@@ -195,8 +195,10 @@ void Walk::look_behind_number(const Token& token) {
                         "; write the number alone, in the unit of the field");
   if (before_.is(Kind::kNumber) && is_symbol(last_, ",") && token.is(Kind::kNumber) && !in_list()) {
     const std::string whole = text_of(before_), part = text_of(token);
-    refuse(before_, "has a comma in the number " + whole + "," + part + "; write " + whole + "." + part +
-                        (part.size() == 3 ? ", or " + whole + part + " if the comma groups thousands" : ""));
+    std::string digits = whole;
+    std::erase(digits, '.');  // as in 1.000,5, where they group thousands
+    refuse(before_, "has a comma in the number " + whole + "," + part + "; write " + digits + "." + part +
+                        (part.size() == 3 ? ", or " + digits + part + " if the comma groups thousands" : ""));
   }
   if (!last_.is(Kind::kNumber) || token.line != last_.line) return;
   if (token.is(Kind::kNumber))
