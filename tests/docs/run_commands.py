@@ -106,6 +106,16 @@ class Shell:
             process.wait()
             raise Fault(f"does not end within {ENDING} s of an interrupt:\n  {process.command}\n{self.output(process)}")
 
+    @staticmethod
+    def abandon(process):
+        """Stops a line that takes minutes. A loop goes on after the interrupt of one of its commands, so it is ended."""
+        os.killpg(process.pid, signal.SIGINT)
+        try:
+            process.wait(LONG_ENOUGH)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+
     def run(self, command, long):
         export = re.fullmatch(r"export (\w+)=(\S+)", command)
         if export:
@@ -131,9 +141,9 @@ class Shell:
         try:
             status = process.wait(LONG_ENOUGH if long else PATIENCE if RUNS_ON.search(command) else LONGEST)
         except subprocess.TimeoutExpired:
-            status = self.interrupt(process)
             if long:
-                return None
+                return self.abandon(process)
+            status = self.interrupt(process)
         return None if status == 0 else f"ended with status {status}:\n  {command}\n{self.output(process)}"
 
     def close(self):
