@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "rigid/box_nodes.hpp"
+
 namespace pelagos {
 
 /// A tree of bounding boxes over numbered boxes, to find those that meet something.
@@ -20,7 +22,7 @@ class BoxTree {
     std::vector<std::uint32_t> stack;
     if (!numbers_.empty()) stack.push_back(0);
     while (!stack.empty()) {
-      const Node& node = nodes_[stack.back()];
+      const BoxNode& node = nodes_[stack.back()];
       stack.pop_back();
       if (!meets(node.box)) continue;
       for (std::uint32_t n = node.first; n < node.first + node.count; ++n) visit(numbers_[n]);
@@ -31,14 +33,7 @@ class BoxTree {
   }
 
  private:
-  /// A leaf where count > 0: numbers first .. first + count - 1; else children first and first + 1.
-  struct Node {
-    Eigen::AlignedBox3d box;
-    std::uint32_t first = 0, count = 0;
-  };
-  void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end, std::span<const Eigen::AlignedBox3d> boxes);
-
-  std::vector<Node> nodes_;
+  std::vector<BoxNode> nodes_;
   std::vector<std::uint32_t> numbers_;
 };
 

@@ -4,13 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace pelagos {
 
 namespace {
 
-constexpr std::uint32_t kLeafTriangles = 4;
 constexpr std::size_t kMostPairs = 50'000'000;  ///< whose boxes meet, of triangles that may cut each other
 constexpr double kParallel = 1e-9;              ///< sine of the angle below which an edge lies in a triangle's plane
 constexpr std::size_t kDeepest = 64;            ///< of the tree: halving reaches 4 triangles after log2(n) levels
@@ -85,48 +83,25 @@ bool ray_meets_box(const Eigen::Vector3d& start, const Eigen::Vector3d& inverse,
 }  // namespace
 
 MeshQuery::MeshQuery(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> order(mesh.triangles.size());
-  std::iota(order.begin(), order.end(), 0u);
-  nodes_.emplace_back();
-  triangles_.reserve(order.size());
-  if (!order.empty()) build(0, 0, static_cast<std::uint32_t>(order.size()), order, mesh);
+  const std::size_t count = mesh.triangles.size();
+  std::vector<Eigen::AlignedBox3d> boxes(count);
+  std::vector<Eigen::Vector3d> centres(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    for (std::size_t c = 0; c < 3; ++c) boxes[t].extend(mesh.corner(t, c));
+    centres[t] = mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2);
+  }
+  std::vector<std::uint32_t> order;
+  nodes_ = build_box_nodes(boxes, centres, order);
+  for (BoxNode& node : nodes_) {
+    // A hair of margin, so that rounding in the ray test never misses a triangle that lies in the box's face.
+    const double margin = 1e-12 * node.box.sizes().maxCoeff();
+    node.box = Eigen::AlignedBox3d(node.box.min().array() - margin, node.box.max().array() + margin);
+  }
+  triangles_.reserve(count);
   for (const std::uint32_t t : order)
     triangles_.push_back({mesh.corner(t, 0), mesh.corner(t, 1) - mesh.corner(t, 0),
                           mesh.corner(t, 2) - mesh.corner(t, 0), t, mesh.triangles[t]});
   box_ = nodes_[0].box;
-}
-
-void MeshQuery::build(std::uint32_t node, std::uint32_t begin, std::uint32_t end, std::vector<std::uint32_t>& order,
-                      const TriangleMesh& mesh) {
-  const auto centre = [&](std::uint32_t t) {
-    return Eigen::Vector3d(mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2));
-  };
-  Eigen::AlignedBox3d box, centres;
-  for (std::uint32_t n = begin; n < end; ++n) {
-    for (std::size_t c = 0; c < 3; ++c) box.extend(mesh.corner(order[n], c));
-    centres.extend(centre(order[n]));
-  }
-  // A hair of margin, so that rounding in the ray test never misses a triangle that lies in the box's face.
-  const double margin = 1e-12 * box.sizes().maxCoeff();
-  nodes_[node].box = Eigen::AlignedBox3d(box.min().array() - margin, box.max().array() + margin);
-  if (end - begin <= kLeafTriangles) {
-    nodes_[node].first = begin;
-    nodes_[node].count = end - begin;
-    return;
-  }
-  Eigen::Index axis = 0;
-  centres.sizes().maxCoeff(&axis);
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end,
-                   [&](std::uint32_t a, std::uint32_t b) {
-                     const double za = centre(a)[axis], zb = centre(b)[axis];
-                     return za != zb ? za < zb : a < b;
-                   });
-  const auto child = static_cast<std::uint32_t>(nodes_.size());
-  nodes_[node].first = child;
-  nodes_.resize(nodes_.size() + 2);
-  build(child, begin, middle, order, mesh);
-  build(child + 1, middle, end, order, mesh);
 }
 
 template <class Visit>
@@ -135,7 +110,7 @@ void MeshQuery::for_each_near(const Eigen::Vector3d& point, double limit_squared
   std::size_t depth = 0;
   if (!triangles_.empty()) stack[depth++] = 0;
   while (depth > 0) {
-    const Node& node = nodes_[stack[--depth]];
+    const BoxNode& node = nodes_[stack[--depth]];
     if (node.box.squaredExteriorDistance(point) >= limit_squared) continue;
     for (std::uint32_t t = node.first; t < node.first + node.count; ++t)
       limit_squared =
@@ -179,7 +154,7 @@ void MeshQuery::for_each_hit(const Eigen::Vector3d& start, const Eigen::Vector3d
   std::size_t depth = 0;
   if (!triangles_.empty()) stack[depth++] = 0;
   while (depth > 0) {
-    const Node& node = nodes_[stack[--depth]];
+    const BoxNode& node = nodes_[stack[--depth]];
     if (!ray_meets_box(start, inverse, node.box)) continue;
     for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
       const double hit = ray_distance(start, direction, triangles_[t].corner, triangles_[t].edge1, triangles_[t].edge2);
@@ -221,7 +196,7 @@ void MeshQuery::for_each_in(const Eigen::AlignedBox3d& box, Visit&& visit) const
   std::size_t depth = 0;
   if (!triangles_.empty()) stack[depth++] = 0;
   while (depth > 0) {
-    const Node& node = nodes_[stack[--depth]];
+    const BoxNode& node = nodes_[stack[--depth]];
     if (!node.box.intersects(box)) continue;
     for (std::uint32_t t = node.first; t < node.first + node.count; ++t) visit(triangles_[t]);
     if (node.count > 0) continue;

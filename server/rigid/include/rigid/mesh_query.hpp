@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "rigid/box_nodes.hpp"
 #include "rigid/triangle_mesh.hpp"
 
 namespace pelagos {
@@ -57,13 +58,6 @@ class MeshQuery {
     std::array<std::uint32_t, 3> vertices;  ///< likewise
     [[nodiscard]] Eigen::Vector3d normal() const { return edge1.cross(edge2).normalized(); }
   };
-  /// A leaf where count > 0: triangles first .. first + count - 1; else children first and first + 1.
-  struct Node {
-    Eigen::AlignedBox3d box;
-    std::uint32_t first = 0, count = 0;
-  };
-  void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end, std::vector<std::uint32_t>& order,
-             const TriangleMesh& mesh);
   /// Calls visit(triangle, its nearest place) for triangles nearer than the limit that visit returned last; squared.
   template <class Visit>
   void for_each_near(const Eigen::Vector3d& point, double limit_squared, Visit&& visit) const;
@@ -73,7 +67,7 @@ class MeshQuery {
   void for_each_hit(const Eigen::Vector3d& start, const Eigen::Vector3d& direction, Visit&& visit) const;
 
   Eigen::AlignedBox3d box_;
-  std::vector<Node> nodes_;
+  std::vector<BoxNode> nodes_;
   std::vector<Triangle> triangles_;
 };
 
