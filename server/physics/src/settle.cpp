@@ -4,23 +4,21 @@
 
 namespace pelagos {
 
+void refresh_neighbors(TaskPool& pool, FluidState& state, StepReport& report) {
+  wrap(pool, state);
+  sort_particles(pool, state);
+  search_neighbors(pool, state, report);
+  refresh_density(pool, state, report);
+}
+
 void settle_fluid(TaskPool& pool, FluidState& state, int steps) {
   StepReport report;
-  if (steps == 0) {  // what looks at the start, before the first step, needs neighbours all the same
-    wrap(pool, state);
-    sort_particles(pool, state);
-    search_neighbors(pool, state, report);
-    refresh_density(pool, state, report);
-    return;
-  }
   for (int step = 0; step < steps; ++step) {
-    wrap(pool, state);
-    sort_particles(pool, state);
-    search_neighbors(pool, state, report);
-    refresh_density(pool, state, report);
+    refresh_neighbors(pool, state, report);
     solve_density(pool, state, 0.0F, BodiesIn::kHold, report);
     apply_correction(pool, state, {true, 0.0});
   }
+  if (steps == 0) return;
   state.gradients_present = false;
   std::fill(state.particles.density_pressure.begin(), state.particles.density_pressure.end(), 0.0F);
   extend_positions(pool, state);

@@ -118,7 +118,10 @@ void World::note_start() {
 
 void World::settle() {
   const int steps = scene_.water.settle_steps;
-  if (steps == 0) settle_fluid(*pool_, fluid_, 0);
+  if (steps == 0) {  // what looks at the start needs neighbours all the same
+    StepReport report;
+    refresh_neighbors(*pool_, fluid_, report);
+  }
   for (int done = 0; done < steps; done += kSettleChunk) {
     settle_fluid(*pool_, fluid_, std::min(kSettleChunk, steps - done));
     if (options_.progress && !options_.progress(static_cast<double>(done) / steps)) return;

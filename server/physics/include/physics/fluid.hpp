@@ -125,10 +125,13 @@ void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report);
 /// Errors, energies, largest speed of the present state into the report. `dt` is the step just made.
 void measure_fluid(TaskPool& pool, const FluidState& state, double dt, StepReport& report);
 
+/// Sorts the particles and finds neighbours and densities at their present positions. Each step does so by itself; what
+/// looks at the water before the first step needs it.
+void refresh_neighbors(TaskPool& pool, FluidState& state, StepReport& report);
+
 /// Position-only relaxation: moves particles until the density constraint holds, without giving them velocity. Removes
 /// the jump that a fresh lattice against sampled walls (6 % too dense) would make in its first step. The accelerations
-/// are gravity and viscosity afterwards. With 0 steps it sorts and finds neighbours, so that the start can be looked
-/// at.
+/// are gravity and viscosity afterwards.
 void settle_fluid(TaskPool& pool, FluidState& state, int steps);
 
 /// The largest admissible time step for the coming step: min(max_step, cfl d / max|v + dt a|).
