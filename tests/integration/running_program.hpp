@@ -17,7 +17,14 @@
 #include <thread>
 #include <vector>
 
+#include "../support/places.hpp"
+
 namespace pelagos {
+
+/// A program of the build, e.g. "pelagos-server"; a shipped scene, e.g. "bridge"; a DDS domain for this process alone.
+inline std::string program(const std::string& name) { return test::build_path("bin/") + name; }
+inline std::string scene(const std::string& name) { return test::source_path("scenes/") + name + ".scene"; }
+inline std::string own_domain() { return std::to_string(1 + getpid() % 100); }
 
 /// A folder of its own for one test, removed at the end.
 class TemporaryFolder {

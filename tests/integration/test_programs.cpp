@@ -24,9 +24,6 @@ constexpr seconds kPatience{60};
 /// For what takes seconds, on such a machine.
 constexpr seconds kLongPatience{240};
 
-std::string program(const std::string& name) { return test::build_path("bin/") + name; }
-std::string scene(const std::string& name) { return test::source_path("scenes/") + name + ".scene"; }
-
 /// A TCP socket on loopback that listens on a free port.
 class TakenPort {
  public:
@@ -51,7 +48,6 @@ class TakenPort {
 };
 
 std::string free_endpoint() { return TakenPort().endpoint(); }
-std::string own_domain() { return std::to_string(1 + getpid() % 100); }
 
 std::vector<std::string> server_arguments(const std::string& scene_file, const std::string& endpoint) {
   return {program("pelagos-server"), "--scene", scene_file, "--domain", own_domain(), "--control", endpoint};

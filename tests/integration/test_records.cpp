@@ -21,10 +21,6 @@ using testing::Not;
 
 constexpr seconds kPatience{60};
 
-std::string program(const std::string& name) { return test::build_path("bin/") + name; }
-std::string scene(const std::string& name) { return test::source_path("scenes/") + name + ".scene"; }
-std::string own_domain() { return std::to_string(1 + getpid() % 100); }
-
 std::vector<std::string> server(const std::vector<std::string>& more, const std::string& file = scene("still_water")) {
   std::vector<std::string> words = {
       program("pelagos-server"), "--scene", file, "--domain", own_domain(), "--control", "127.0.0.1:0"};

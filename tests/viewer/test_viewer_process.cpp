@@ -82,6 +82,13 @@ class ViewerProcess : public testing::Test {
     std::ifstream in(out_ / (channel + ".json"));
     return json::parse(in, nullptr, false);
   }
+  /// How many have been written.
+  [[nodiscard]] int pictures() const {
+    int count = 0;
+    if (std::filesystem::exists(out_))
+      for (const auto& entry : std::filesystem::directory_iterator(out_)) count += entry.path().extension() == ".png";
+    return count;
+  }
 
   std::filesystem::path out_;
 };
@@ -158,12 +165,6 @@ SceneInfo heavy_scene() {
 TEST_F(ViewerProcess, HostileScenesNeitherEndNorHangIt) {
   const SeaServer server;
   ChildProcess viewer(command({"--channel", "port", "--every", "0.3"}));
-  const auto pictures = [&] {
-    int count = 0;
-    if (std::filesystem::exists(out_))
-      for (const auto& entry : std::filesystem::directory_iterator(out_)) count += entry.path().extension() == ".png";
-    return count;
-  };
   ASSERT_TRUE(eventually([&] { return pictures() >= 2; }));
   // The server itself has gone mad: all that follows has its source.
   SceneInfo scene = synthetic_scene();
@@ -186,12 +187,6 @@ TEST_F(ViewerProcess, HostileScenesNeitherEndNorHangIt) {
 TEST_F(ViewerProcess, OutlivesTheServerAndFindsTheNextOne) {
   auto server = std::make_unique<SeaServer>();
   ChildProcess viewer(command({"--channel", "port", "--every", "0.2"}));
-  const auto pictures = [&] {
-    int count = 0;
-    if (std::filesystem::exists(out_))
-      for (const auto& entry : std::filesystem::directory_iterator(out_)) count += entry.path().extension() == ".png";
-    return count;
-  };
   ASSERT_TRUE(eventually([&] { return pictures() >= 2; }));
   server.reset();
   const int at_loss = pictures();
