@@ -96,9 +96,8 @@ std::vector<PlacedShape> Bodies::placed() const {
 
 std::vector<std::string> Bodies::mesh_notes() const {
   std::vector<std::string> notes;
-  for (const Body& body : bodies_)
-    for (const std::string& note : body.shape.notes)
-      notes.push_back("body " + std::to_string(body.settings.id) + " (" + body.settings.name + "): " + note);
+  for (const PlacedShape& body : placed())
+    for (const std::string& note : body.shape->notes) notes.push_back(body.name() + ": " + note);
   return notes;
 }
 
@@ -230,8 +229,7 @@ std::vector<std::string> Bodies::hold_notes(double level) const {
     if (plating < kThinPlates * spacing_)
       notes.back() += fmt::format(
           ". Its plating, {:.2g} m thick in the mean, is thinner than two spacings ({:g} m): draft and trim are "
-          "coarse, "
-          "and water may seep in",
+          "coarse, and water may seep in",
           plating, kThinPlates * spacing_);
   }
   return notes;
@@ -338,10 +336,8 @@ std::vector<BodyLoad> Bodies::take_loads(const Eigen::Vector3d& origin, const Fl
                                           std::span(readings).subspan(first, ring), body.state, origin, still_level);
     first += ring;
     const double weight_density = fluid.parameters.rest_density * fluid.parameters.gravity;
-    if (body.hold.empty())
-      measure_buoyancy(body.shape, water, weight_density, load);
-    else
-      measure_buoyancy(body.shape, body.hold, body.hold_water, water, weight_density, load);
+    measure_buoyancy(body.shape, water, weight_density, load);
+    if (!body.hold.empty()) add_hold(body.hold.below(water), body.hold_water, water, weight_density, load);
   }
   return loads;
 }

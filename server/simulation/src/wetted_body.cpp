@@ -76,16 +76,13 @@ void measure_buoyancy(const BodyShape& shape, const WaterPlane& water, double we
   load.buoyant_moment = (still.centre_of_buoyancy - load.point).cross(load.buoyant_force);
 }
 
-void measure_buoyancy(const BodyShape& shape, const Hold& hold, const PartVolume& hold_water, const WaterPlane& water,
-                      double weight_density, BodyLoad& load) {
-  const Hydrostatics plating = hydrostatics(shape.mesh, water);
-  const PartVolume below = hold.below(water);
-  const double volume = plating.volume + below.volume - hold_water.volume;
-  const Eigen::Vector3d moment = plating.volume * plating.centre_of_buoyancy + below.moment - hold_water.moment;
-  load.wetted_volume = volume;
-  load.wetted_area = plating.wetted_area;
-  load.buoyant_force = weight_density * volume * water.up;
-  load.buoyant_moment = (moment - volume * load.point).cross(weight_density * water.up);
+void add_hold(const PartVolume& below, const PartVolume& hold_water, const WaterPlane& water, double weight_density,
+              BodyLoad& load) {
+  const double volume = below.volume - hold_water.volume;
+  const Eigen::Vector3d moment = below.moment - hold_water.moment;
+  load.wetted_volume += volume;
+  load.buoyant_force += weight_density * volume * water.up;
+  load.buoyant_moment += (moment - volume * load.point).cross(weight_density * water.up);
 }
 
 }  // namespace pelagos

@@ -28,10 +28,11 @@ namespace pelagos {
 /// @param weight_density  N/m^3, of the water
 void measure_buoyancy(const BodyShape& shape, const WaterPlane& water, double weight_density, BodyLoad& load);
 
-/// The same for a body with a hold: the air in the part of the hold below the plane bears the body like its own volume,
-/// and the water in the hold weighs on it.
+/// Adds what a hold does: the air in its part below the plane bears the body like its own volume, and the water in it
+/// weighs on it.
+/// @param below       the part of the hold below the plane (Hold::below)
 /// @param hold_water  the water in the hold now
-void measure_buoyancy(const BodyShape& shape, const Hold& hold, const PartVolume& hold_water, const WaterPlane& water,
-                      double weight_density, BodyLoad& load);
+void add_hold(const PartVolume& below, const PartVolume& hold_water, const WaterPlane& water, double weight_density,
+              BodyLoad& load);
 
 }  // namespace pelagos
