@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "client/frame_count.hpp"
+#include "client/listening_time.hpp"
 #include "client/source_watch.hpp"
 
 namespace pelagos {
@@ -100,6 +101,20 @@ TEST(FrameCount, AFrameMadeAgainIsAJumpNoRepetition) {
   count.restart();
   EXPECT_EQ(count.count(1, 4), FrameOrder::kNext);
   EXPECT_EQ(count.missed(), 0U);
+}
+
+TEST(ListeningTime, GoesWithTheClockWhileSomebodyLooks) {
+  const ListeningTime::Clock::time_point start{};
+  ListeningTime time(start);
+  for (int look = 1; look <= 20; ++look) EXPECT_EQ(time.look(start + look * 250ms), start + look * 250ms);
+}
+
+TEST(ListeningTime, DoesNotCountABreak) {
+  const ListeningTime::Clock::time_point start{};
+  ListeningTime time(start);
+  EXPECT_EQ(time.look(start + 1h), start + ListeningTime::kLongest);
+  EXPECT_LT(ListeningTime::kLongest, SourceWatch::kSilence) << "a server that is heard after the break was not silent";
+  EXPECT_EQ(time.look(start + 1h + 250ms), start + ListeningTime::kLongest + 250ms);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "client/frame_count.hpp"
+#include "client/listening_time.hpp"
 #include "client/source_watch.hpp"
 #include "packing/particle_codec.hpp"
 #include "pelagos_dds/entities.hpp"
@@ -104,7 +105,7 @@ class FrameReceiver::Implementation {
     return result;
   }
 
-  /// Silence is measured up to when we looked last: where this process was stopped, nobody was silent.
+  /// By the time in which this process listened: where it was stopped, nobody was silent.
   bool alive() const {
     const Clock::rep heard = last_heard_;
     return heard != 0 && Clock::duration(last_looked_ - heard) < SourceWatch::kSilence;
@@ -120,12 +121,12 @@ class FrameReceiver::Implementation {
   void dispatch() {
     while (!stop_) {
       waitset_.wait(kPollInterval);
+      last_looked_ = listening_.look(Clock::now()).time_since_epoch().count();
       try {
         take_samples();
       } catch (const std::exception& error) {  // out of memory: this round's samples are lost, the next may do
         log_.write(std::string("receiving failed: ") + error.what());
       }
-      last_looked_ = Clock::now().time_since_epoch().count();
     }
   }
 
@@ -192,7 +193,7 @@ class FrameReceiver::Implementation {
   }
 
   Standing hear(const SourceWatch::Sender& sender, bool valid) {
-    const Standing standing = watch_.hear(sender, valid, Clock::now());
+    const Standing standing = watch_.hear(sender, valid, listening_.at_last_look());
     if (standing == Standing::kTakenOver) go_over_to(sender);
     if (const auto heard = watch_.last_heard()) last_heard_ = heard->time_since_epoch().count();
     return standing;
@@ -346,6 +347,7 @@ class FrameReceiver::Implementation {
   std::deque<std::pair<SourceWatch::Sender, SceneInfo>> other_scenes_;
 
   std::atomic<bool> stop_{false};
+  ListeningTime listening_{Clock::now()};
   std::atomic<Clock::rep> last_heard_{0}, last_looked_{0};  // ticks of the steady clock; 0: never
   mutable std::mutex mutex_;                                // guards what follows, and the public members
   mutable std::condition_variable arrived_;
