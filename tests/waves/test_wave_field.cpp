@@ -210,6 +210,41 @@ TEST(WaveField, AgreesWithTheSumsInDoublePrecision) {
   }
 }
 
+TEST_P(AtDepth, TheDisplacedSurfaceIsWhereItsParticlesAre) {
+  std::vector<WaveComponent> waves;
+  for (int i = 0; i < 12; ++i) waves.push_back(wave_of(0.5 / (1 + i), 0.05 + 0.05 * i, GetParam(), 0.4 * i, 1.3 * i));
+  const WaveMoment moment = WaveField(waves, 0.0, GetParam()).at(17.0, {0.0, 0.0});
+  const Places at_rest(100);
+  const std::vector<float> top(at_rest.x.size(), 0.0F);
+  std::vector<float> shift[3], out[6];
+  for (auto& values : shift) values.resize(top.size());
+  for (auto& values : out) values.resize(top.size());
+  evaluate_displacement(moment, at_rest.x, at_rest.y, top, shift[0], shift[1], shift[2]);
+  Places moved = at_rest;
+  const auto height_at = [&](float way_x, float way_y) {
+    for (std::size_t i = 0; i < top.size(); ++i) {
+      moved.x[i] = at_rest.x[i] + shift[0][i] + way_x;
+      moved.y[i] = at_rest.y[i] + shift[1][i] + way_y;
+    }
+    evaluate_displaced_surface(moment, moved.x, moved.y, {out[0], out[1], out[2], out[3], out[4], out[5]});
+    return out[0];
+  };
+  constexpr float kStep = 0.05F;
+  const std::vector<float> east = height_at(kStep, 0.0F), west = height_at(-kStep, 0.0F);
+  const std::vector<float> north = height_at(0.0F, kStep), south = height_at(0.0F, -kStep);
+  const std::vector<float> here = height_at(0.0F, 0.0F);
+  Places surface = at_rest;
+  surface.z = top;
+  const Motions motion(moment, surface, Stretching::kNone);
+  for (std::size_t i = 0; i < top.size(); ++i) {
+    EXPECT_NEAR(here[i], shift[2][i], 2e-5);
+    // rounding 4e-6 m over 0.1 m, and step^2 / 6 of a third derivative up to 0.3 /m^2
+    EXPECT_NEAR(out[1][i], (east[i] - west[i]) / (2 * kStep), 4e-4);
+    EXPECT_NEAR(out[2][i], (north[i] - south[i]) / (2 * kStep), 4e-4);
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(out[3 + axis][i], motion.v[axis][i], 2e-5);
+  }
+}
+
 TEST(WaveField, BatchesGiveTheBitsOfSinglePlaces) {
   const auto waves = make_wave_components({.beaufort = 6, .components = 40, .seed = 2});
   for (const double depth : {8.0, kInfiniteDepth}) {

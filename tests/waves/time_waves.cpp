@@ -37,13 +37,17 @@ int main() {
   }
   for (auto& values : out) values.resize(kPlaces);
   std::printf("ns a place and component, %zu places\n", kPlaces);
-  std::printf("components  depth  surface  displacement  velocity  velocity+acceleration+pressure\n");
+  std::printf(
+      "components  depth  surface  displaced surface  displacement  velocity  velocity+acceleration+pressure\n");
   for (const std::uint32_t components : {40U, 200U})
     for (const double depth : {15.0, kInfiniteDepth}) {
       const auto waves = make_wave_components({.beaufort = 5, .components = components});
       const WaveMoment moment = WaveField(waves, 0.0, depth).at(100.0, {0.0, 0.0});
       const double surface = measure(kPlaces, components, [&] {
         evaluate_surface(moment, x, y, {out[0], out[1], out[2], out[3]});
+      });
+      const double displaced = measure(kPlaces, components, [&] {
+        evaluate_displaced_surface(moment, x, y, {out[0], out[1], out[2], out[3], out[4], out[5]});
       });
       const double shift =
           measure(kPlaces, components, [&] { evaluate_displacement(moment, x, y, z, out[0], out[1], out[2]); });
@@ -54,6 +58,7 @@ int main() {
         evaluate_motion(moment, x, y, z, Stretching::kWheeler,
                         {out[0], out[1], out[2], out[3], out[4], out[5], out[6]});
       });
-      std::printf("%10u  %5g  %7.2f  %12.2f  %8.2f  %8.2f\n", components, depth, surface, shift, velocity, all);
+      std::printf("%10u  %5g  %7.2f  %17.2f  %12.2f  %8.2f  %8.2f\n", components, depth, surface, displaced, shift,
+                  velocity, all);
     }
 }

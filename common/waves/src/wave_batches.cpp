@@ -167,6 +167,69 @@ HWY_INLINE ShiftBlock shift_block(const WaveMoment& moment, V x, V y, V z) {
   return sum;
 }
 
+/// The horizontal displacement of a surface particle and its gradient.
+struct Stretch {
+  V x, y, xx, xy, yy;
+
+  /// The solution of (1 + gradient) way = (a, b); (a, b) itself where the surface is about to fold.
+  HWY_INLINE void solve(V a, V b, V& way_x, V& way_y) const {
+    const V one = set(1.0F), p = hn::Add(one, xx), q = hn::Add(one, yy);
+    const V determinant = hn::Sub(hn::Mul(p, q), hn::Mul(xy, xy));
+    const auto folds = hn::Lt(determinant, set(0.15F));
+    const V inverse = hn::Div(one, hn::IfThenElse(folds, one, determinant));
+    way_x = hn::IfThenElse(folds, a, hn::Mul(inverse, hn::Sub(hn::Mul(q, a), hn::Mul(xy, b))));
+    way_y = hn::IfThenElse(folds, b, hn::Mul(inverse, hn::Sub(hn::Mul(p, b), hn::Mul(xy, a))));
+  }
+};
+
+/// At the mean level: cosh kh / sinh kh.
+HWY_INLINE float even_at_level(const MomentWave& wave) { return (1.0F + wave.echo) * wave.bed; }
+
+HWY_INLINE void add_stretch(const MomentWave& wave, const SinCos& angle, Stretch& sum) {
+  const float reach = wave.amplitude * even_at_level(wave);
+  const V back = hn::Mul(set(-reach), angle.sine), steep = hn::Mul(set(-reach * wave.wavenumber), angle.cosine);
+  sum.x = hn::MulAdd(set(wave.along_x), back, sum.x);
+  sum.y = hn::MulAdd(set(wave.along_y), back, sum.y);
+  sum.xx = hn::MulAdd(set(wave.along_x * wave.along_x), steep, sum.xx);
+  sum.xy = hn::MulAdd(set(wave.along_x * wave.along_y), steep, sum.xy);
+  sum.yy = hn::MulAdd(set(wave.along_y * wave.along_y), steep, sum.yy);
+}
+
+struct DisplacedBlock {
+  V height, slope_x, slope_y, velocity[3];
+};
+HWY_INLINE DisplacedBlock displaced_block(const WaveMoment& moment, V x, V y) {
+  constexpr int kNewtonSteps = 4;
+  const V zero = hn::Zero(Tag());
+  V rest_x = x, rest_y = y;
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    Stretch stretch{zero, zero, zero, zero, zero};
+    for (const MomentWave& wave : moment.waves) add_stretch(wave, angle_of(wave, rest_x, rest_y), stretch);
+    V way_x, way_y;
+    stretch.solve(hn::Sub(hn::Add(rest_x, stretch.x), x), hn::Sub(hn::Add(rest_y, stretch.y), y), way_x, way_y);
+    rest_x = hn::Sub(rest_x, way_x);
+    rest_y = hn::Sub(rest_y, way_y);
+  }
+  Stretch stretch{zero, zero, zero, zero, zero};
+  DisplacedBlock sum{zero, zero, zero, {zero, zero, zero}};
+  for (const MomentWave& wave : moment.waves) {
+    const SinCos angle = angle_of(wave, rest_x, rest_y);
+    add_stretch(wave, angle, stretch);
+    const float even = even_at_level(wave), speed = wave.amplitude * wave.omega;
+    const V mean = set(0.5F * wave.wavenumber * wave.amplitude * wave.amplitude * even);
+    sum.height = hn::Add(sum.height, hn::MulAdd(set(wave.amplitude), angle.cosine, mean));
+    const V steep = hn::Mul(set(-wave.amplitude * wave.wavenumber), angle.sine);
+    sum.slope_x = hn::MulAdd(set(wave.along_x), steep, sum.slope_x);
+    sum.slope_y = hn::MulAdd(set(wave.along_y), steep, sum.slope_y);
+    const V ahead = hn::Mul(set(speed * even), angle.cosine);
+    sum.velocity[0] = hn::MulAdd(set(wave.along_x), ahead, sum.velocity[0]);
+    sum.velocity[1] = hn::MulAdd(set(wave.along_y), ahead, sum.velocity[1]);
+    sum.velocity[2] = hn::MulAdd(set(speed), angle.sine, sum.velocity[2]);
+  }
+  stretch.solve(sum.slope_x, sum.slope_y, sum.slope_x, sum.slope_y);
+  return sum;
+}
+
 /// Some values of an array as a vector; the lanes past the end are 0.
 HWY_INLINE V load_some(const float* from, std::size_t count) {
   if (count >= hn::Lanes(Tag())) return hn::LoadU(Tag(), from);
@@ -236,6 +299,21 @@ void shift_impl(const WaveMoment& moment, const float* x, const float* y, const 
   }
 }
 
+void displaced_impl(const WaveMoment& moment, const float* x, const float* y, std::size_t count,
+                    const DisplacedSurfaceArrays& out) {
+  const std::size_t lanes = hn::Lanes(Tag());
+  for (std::size_t i = 0; i < count; i += lanes) {
+    const std::size_t some = std::min(lanes, count - i);
+    const DisplacedBlock block = displaced_block(moment, load_some(x + i, some), load_some(y + i, some));
+    store_some(block.height, out.height.data() + i, some);
+    store_some(block.slope_x, out.slope_x.data() + i, some);
+    store_some(block.slope_y, out.slope_y.data() + i, some);
+    store_some(block.velocity[0], out.velocity_x.data() + i, some);
+    store_some(block.velocity[1], out.velocity_y.data() + i, some);
+    store_some(block.velocity[2], out.velocity_z.data() + i, some);
+  }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace pelagos
 HWY_AFTER_NAMESPACE();
@@ -246,6 +324,7 @@ namespace pelagos {
 HWY_EXPORT(surface_impl);
 HWY_EXPORT(motion_impl);
 HWY_EXPORT(shift_impl);
+HWY_EXPORT(displaced_impl);
 
 void evaluate_surface(const WaveMoment& moment, std::span<const float> x, std::span<const float> y,
                       const WaveSurfaceArrays& out) {
@@ -269,6 +348,12 @@ void evaluate_displacement(const WaveMoment& moment, std::span<const float> x, s
          shift_z.size() == x.size());
   HWY_DYNAMIC_DISPATCH(shift_impl)
   (moment, x.data(), y.data(), z.data(), x.size(), shift_x.data(), shift_y.data(), shift_z.data());
+}
+
+void evaluate_displaced_surface(const WaveMoment& moment, std::span<const float> x, std::span<const float> y,
+                                const DisplacedSurfaceArrays& out) {
+  assert(y.size() == x.size() && out.height.size() == x.size() && out.velocity_z.size() == x.size());
+  HWY_DYNAMIC_DISPATCH(displaced_impl)(moment, x.data(), y.data(), x.size(), out);
 }
 
 WavePoint surface_at(const WaveMoment& moment, float x, float y) {
