@@ -12,12 +12,6 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr int kSectors = 720;
 constexpr double kHorizon = 30'000.0;  // m
 
-struct WaveBlock {
-  float wave[kMostWaves][4] = {};
-  float phase[kMostWaves][4] = {};
-  std::int32_t count[4] = {};
-};
-
 }  // namespace
 
 std::vector<float> ring_radii(double height, double coarseness) {
@@ -74,28 +68,9 @@ void FarSeaPass::prepare_grid(double height) {
   glVertexArrayElementBuffer(array_.id(), indices_.id());
 }
 
-void FarSeaPass::draw(const Camera& camera, double height, std::span<const WaveComponent> waves, double time,
-                      double carried_by_patch) {
+void FarSeaPass::draw(const Camera& camera, double height, const WaveMoment& waves, double carried_by_patch) {
   prepare_grid(height);
-  WaveBlock block;
-  std::vector<WaveComponent> largest(waves.begin(), waves.end());
-  std::stable_sort(largest.begin(), largest.end(),
-                   [](const WaveComponent& a, const WaveComponent& b) { return a.amplitude > b.amplitude; });
-  largest.resize(std::min(largest.size(), kMostWaves));
-  for (std::size_t i = 0; i < largest.size(); ++i) {
-    const WaveComponent& w = largest[i];
-    const double x = std::cos(static_cast<double>(w.direction)), y = std::sin(static_cast<double>(w.direction));
-    const double at_eye = w.wavenumber * (x * camera.eye.x() + y * camera.eye.y()) + wave_phase_at(w, time);
-    block.wave[i][0] = w.amplitude;
-    block.wave[i][1] = std::max(w.wavenumber, 1e-6F);
-    block.wave[i][2] = static_cast<float>(x);
-    block.wave[i][3] = static_cast<float>(y);
-    block.phase[i][0] = static_cast<float>(std::fmod(at_eye, kTwoPi));
-    block.phase[i][1] = kTwoPi / block.wave[i][1] > carried_by_patch ? 1.0F : 0.0F;
-  }
-  block.count[0] = static_cast<std::int32_t>(largest.size());
-  waves_.upload(&block, sizeof block);
-
+  waves_.upload(waves.waves.data(), waves.waves.size() * sizeof(MomentWave));
   const SectorRange sectors = visible_sectors(camera, kSectors);
   const float nothing[4] = {0, 0, 0, 0};
   const float far_away = 0.0F;
@@ -110,8 +85,10 @@ void FarSeaPass::draw(const Camera& camera, double height, std::span<const WaveC
   program_.set("rings", ring_count_);
   program_.set("first_sector", sectors.first);
   program_.set("sectors_around", kSectors);
-  glBindBufferBase(GL_UNIFORM_BUFFER, 1, waves_.id());
+  program_.set("wave_count", static_cast<int>(waves.waves.size()));
+  program_.set("carried_by_patch", static_cast<float>(carried_by_patch));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, rings_.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, waves_.id());
   array_.bind();
   glDrawElements(GL_TRIANGLES, sectors.count * (ring_count_ - 1) * 6, GL_UNSIGNED_INT, nullptr);
   glDisable(GL_DEPTH_TEST);

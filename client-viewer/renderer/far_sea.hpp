@@ -1,16 +1,12 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "channels/camera.hpp"
 #include "renderer/gl_objects.hpp"
-#include "waves/wave_components.hpp"
+#include "waves/wave_moment.hpp"
 
 namespace pelagos {
-
-/// Most components that are drawn; of a longer list the largest.
-inline constexpr std::size_t kMostWaves = 64;
 
 /// Radii of the rings of the far sea's grid for an eye at `height` metres above the water: fine below the eye, a fixed
 /// part of the distance further out, one pixel line at the horizon. The first is 0, the last at least 30 km.
@@ -22,16 +18,16 @@ struct SectorRange {
 };
 [[nodiscard]] SectorRange visible_sectors(const Camera& camera, int around);
 
-/// Draws the open sea from its wave components: (inverse depth, slope x, slope y, folding of the crest).
+/// Draws the open sea from all its wave components: (inverse depth, slope x, slope y, folding of the crest).
 class FarSeaPass {
  public:
   /// @param coarseness  1: fine; larger: cheaper
   FarSeaPass(int width, int height, double coarseness);
 
   /// @param height  of the eye above the mean water level, m
+  /// @param waves   at the time shown, anchored at the eye
   /// @param carried_by_patch  waves longer than this (m) are the simulation's own inside the patch
-  void draw(const Camera& camera, double height, std::span<const WaveComponent> waves, double time,
-            double carried_by_patch);
+  void draw(const Camera& camera, double height, const WaveMoment& waves, double carried_by_patch);
 
   [[nodiscard]] const Texture& surface() const { return surface_; }
 

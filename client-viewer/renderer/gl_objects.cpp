@@ -6,11 +6,34 @@
 namespace pelagos {
 namespace {
 
-GLuint compile_stage(GLenum stage, std::string_view file) {
-  const std::string_view body = shader_text(file);
-  const std::string_view common = shader_text("common.glsl");
+/// Puts the file of each line `#include "name"` in its place.
+std::string with_includes(std::string_view text) {
+  constexpr std::string_view kMark = "#include \"";
+  std::string whole;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+    const std::string_view line = text.substr(0, end);
+    if (line.starts_with(kMark))
+      whole += shader_text(line.substr(kMark.size(), line.rfind('"') - kMark.size()));
+    else
+      whole += line;
+    text.remove_prefix(end);
+  }
+  return whole;
+}
+
+}  // namespace
+
+std::string shader_source(std::string_view file) {
+  const std::string_view body = shader_text(file), common = shader_text("common.glsl");
   if (body.empty() || common.empty()) throw GraphicsError("no shader named " + std::string(file) + " in this build");
-  const std::string source = "#version 450 core\n" + std::string(common) + "\n#line 1\n" + std::string(body);
+  return "#version 450 core\n" + std::string(common) + "\n#line 1\n" + with_includes(body);
+}
+
+namespace {
+
+GLuint compile_stage(GLenum stage, std::string_view file) {
+  const std::string source = shader_source(file);
   const char* text = source.c_str();
   const GLuint shader = glCreateShader(stage);
   glShaderSource(shader, 1, &text, nullptr);

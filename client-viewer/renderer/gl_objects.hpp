@@ -20,7 +20,11 @@ class GraphicsError : public std::runtime_error {
 /// Text of an embedded shader file, empty if there is none of that name.
 [[nodiscard]] std::string_view shader_text(std::string_view name);
 
-/// A linked program from files of `shaders/`; each stage is preceded by the version line and common.glsl.
+/// What is compiled for a shader file: the version line, common.glsl, and the file with those that it includes.
+/// @throws GraphicsError if there is no such file
+[[nodiscard]] std::string shader_source(std::string_view file);
+
+/// A linked program from files of `shaders/`; see shader_source.
 class Program {
  public:
   /// @throws GraphicsError with the compiler's log

@@ -13,6 +13,8 @@
 #include "renderer/mesh.hpp"
 #include "renderer/opaque.hpp"
 #include "renderer/view_block.hpp"
+#include "waves/patch_blend.hpp"
+#include "waves/wave_field.hpp"
 
 namespace pelagos {
 namespace {
@@ -28,17 +30,18 @@ Eigen::Vector4f vector4(double x, double y, double z, double w) { return Eigen::
 Eigen::Vector4f vector4(const Eigen::Vector3d& v, double w) { return vector4(v.x(), v.y(), v.z(), w); }
 
 /// Main direction of the waves (unit, x east, y north); the longest waves' energy decides.
-Eigen::Vector2d main_direction(std::span<const WaveComponent> waves) {
+Eigen::Vector2d main_direction(std::span<const MomentWave> waves) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (const WaveComponent& w : waves)
-    sum += static_cast<double>(w.amplitude) * w.amplitude *
-           Eigen::Vector2d(std::cos(static_cast<double>(w.direction)), std::sin(static_cast<double>(w.direction)));
+  for (const MomentWave& w : waves)
+    sum += static_cast<double>(w.amplitude) * w.amplitude * Eigen::Vector2f(w.along_x, w.along_y).cast<double>();
   return sum.norm() > 1e-12 ? Eigen::Vector2d(sum.normalized()) : Eigen::Vector2d::UnitX();
 }
 
 /// Wind that would raise such a sea (fully developed, Hs = 0.21 U^2 / g; Pierson & Moskowitz 1964), m/s.
-double wind_of_sea(std::span<const WaveComponent> waves) {
-  return std::sqrt(4.0 * std::sqrt(wave_variance(waves)) * kGravity / 0.21);
+double wind_of_sea(std::span<const MomentWave> waves) {
+  double variance = 0.0;
+  for (const MomentWave& w : waves) variance += 0.5 * static_cast<double>(w.amplitude) * w.amplitude;
+  return std::sqrt(4.0 * std::sqrt(variance) * kGravity / 0.21);
 }
 
 /// Crests break where the waves fold the surface below `threshold` (determinant of the horizontal displacement's
@@ -47,9 +50,9 @@ struct Breaking {
   double threshold = -1.0;
   double deviation = 1.0;  ///< standard deviation of the folding
 };
-Breaking breaking_of(std::span<const WaveComponent> waves, double wind) {
+Breaking breaking_of(std::span<const MomentWave> waves, double wind) {
   double variance = 0.0;
-  for (const WaveComponent& w : waves) variance += 0.5 * std::pow(static_cast<double>(w.amplitude) * w.wavenumber, 2);
+  for (const MomentWave& w : waves) variance += 0.5 * std::pow(static_cast<double>(w.amplitude) * w.wavenumber, 2);
   if (variance <= 0.0) return {};
   // Whitecap cover by Monahan & O'Muircheartaigh (1980). Its pattern leaves most of a breaking crest dark: 14 times
   // the area. Then the normal distribution's quantile (Abramowitz & Stegun 26.2.23).
@@ -138,7 +141,7 @@ struct Renderer::State {
   void gather(const Camera& camera, const SeaMoment& moment);
   [[nodiscard]] std::vector<PlacedMesh> place_bodies(const Camera& camera, const SeaMoment& moment) const;
   void draw_slick(const Slick& slick);
-  [[nodiscard]] ViewBlock view_block(const Camera& camera, const SeaMoment& moment) const;
+  [[nodiscard]] ViewBlock view_block(const Camera& camera, const SeaMoment& moment, const WaveMoment& waves) const;
   void fill_ship(ViewBlock& block, const Camera& camera, const SeaMoment& moment) const;
   void upload_view(const ViewBlock& block) {
     view.upload(&block, sizeof block);
@@ -155,7 +158,12 @@ struct Renderer::State {
   std::unique_ptr<DetailTextures> detail;
   std::unique_ptr<SlickMap> slick_map;  ///< from the first slick on
   SlickPlace slick_place;               ///< of the map as drawn
+  [[nodiscard]] WaveMoment waves_at(const Camera& camera, const SeaMoment& moment) const {
+    return sea.at(moment.time, camera.eye.head<2>());
+  }
+
   SceneInfo scene;
+  WaveField sea;
   std::map<std::shared_ptr<const MeshData>, std::unique_ptr<Mesh>> uploaded;
   std::map<std::uint32_t, const Mesh*> meshes;  ///< by body, of `uploaded`
   std::vector<DrawnParticle> water, drops;
@@ -219,7 +227,7 @@ void Renderer::State::fill_ship(ViewBlock& block, const Camera& camera, const Se
   }
 }
 
-ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& moment) const {
+ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& moment, const WaveMoment& waves) const {
   const FluidSize guarded = fluid_size_of(camera, fluid_scale(settings.quality));
   ViewBlock block;
   block.right = vector4(camera.view_from_world.row(0), camera.tan_half_x);
@@ -229,18 +237,18 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   block.fluid_size = vector4(guarded.width, guarded.height, guarded.tan_half_x, guarded.tan_half_y);
   const double spacing = scene.particle_spacing > 0.0 ? scene.particle_spacing : 1.0;
   block.fluid = vector4(guarded.focal_pixels, spacing, 0, 0);
-  const double wind = moment.wind_speed.value_or(wind_of_sea(scene.far_sea));
-  const Breaking breaking = breaking_of(scene.far_sea, wind);
+  const double wind = moment.wind_speed.value_or(wind_of_sea(waves.waves));
+  const Breaking breaking = breaking_of(waves.waves, wind);
   block.level =
       vector4(scene.water_level - camera.eye.z(), std::fmod(moment.time, 3600.0), kVisibility, breaking.threshold);
   const Eigen::Vector3d low = scene.tank.min - camera.eye, high = scene.tank.max - camera.eye;
   block.patch_box = vector4(low.x(), low.y(), high.x(), high.y());
   const double narrow = scene.tank.size().head<2>().minCoeff();
   const bool present = !moment.particles.empty() && narrow > 0.0;
-  block.patch_blend = vector4(present ? 1 : 0, std::min(2.0 * spacing, 0.05 * narrow),
-                              std::min(14.0 * spacing, 0.25 * narrow), breaking.deviation);
+  const PatchBlend blend = rim_blend(spacing, narrow);
+  block.patch_blend = vector4(present ? 1 : 0, blend.start, blend.full, breaking.deviation);
   block.sun = vector4(Eigen::Vector3d(-0.62, -0.48, 0.62).normalized(), 1.25);
-  const Eigen::Vector2d axis = main_direction(scene.far_sea);
+  const Eigen::Vector2d axis = main_direction(waves.waves);
   // mean square slope by Cox & Munk (1954); the three ripple layers carry 0.05 at scale 1
   const double ripple = std::sqrt((0.003 + 0.00512 * std::min(wind, 25.0)) / 0.05);
   block.wave_axis = vector4(axis.x(), axis.y(), ripple, wind);
@@ -264,14 +272,17 @@ Renderer::Renderer(const RenderSettings& settings) {
   Camera camera;
   camera.width = settings.width;
   camera.height = settings.height;
-  state_->upload_view(state_->view_block(camera, {}));
+  state_->upload_view(state_->view_block(camera, {}, {}));
   state_->detail = std::make_unique<DetailTextures>();
   check_graphics("the start of the renderer");
 }
 
 Renderer::~Renderer() = default;
 
-void Renderer::set_scene(const SceneInfo& scene) { state_->scene = scene; }
+void Renderer::set_scene(const SceneInfo& scene) {
+  state_->scene = scene;
+  state_->sea = WaveField(scene.far_sea, scene.water_level);
+}
 
 void Renderer::set_meshes(const BodyMeshes& meshes) {
   std::map<std::shared_ptr<const MeshData>, std::unique_ptr<Mesh>> uploaded;
@@ -300,11 +311,12 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   };
   s.draw_slick(moment.slick);
   pass_done();
-  s.upload_view(s.view_block(camera, moment));
+  const WaveMoment waves = s.waves_at(camera, moment);
+  s.upload_view(s.view_block(camera, moment, waves));
   s.opaque.draw(s.place_bodies(camera, moment));
   pass_done();
   const double height = camera.eye.z() - s.scene.water_level;
-  s.far_sea.draw(camera, height, s.scene.far_sea, moment.time, 10.0 * s.scene.particle_spacing);
+  s.far_sea.draw(camera, height, waves, 10.0 * s.scene.particle_spacing);
   pass_done();
   s.gather(camera, moment);
   s.fluid.draw_particles(s.water);
@@ -321,7 +333,7 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
 
 std::vector<float> Renderer::draw_particle_depth(const Camera& camera, const SeaMoment& moment) {
   State& s = *state_;
-  s.upload_view(s.view_block(camera, moment));
+  s.upload_view(s.view_block(camera, moment, s.waves_at(camera, moment)));
   s.gather(camera, moment);
   s.fluid.draw_particles(s.water);
   std::vector<float> depth = read_texture(s.fluid.inverse_depth(), 1);

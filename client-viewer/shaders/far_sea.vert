@@ -1,14 +1,12 @@
-// The open sea: a polar grid about the eye, displaced by the wave components (first-order Lagrangian theory, as
-// wave_displacement in common/waves). A wave fades out where the grid is too coarse for it.
-layout(std140, binding = 1) uniform Waves {
-  vec4 wave[64];        // amplitude, wave number, direction x, y
-  vec4 wave_phase[64];  // phase at the eye and the display time; 1 if the patch carries this wave itself; -, -
-  ivec4 wave_count;
-};
+#include "waves.glsl"
+// The open sea: a polar grid about the eye, displaced by the wave components (first-order Lagrangian theory). A wave
+// fades out where the grid is too coarse for it. Inside the patch only waves shorter than `carried_by_patch` (m) are
+// drawn: the others are the simulation's own.
 layout(std430, binding = 2) readonly buffer Rings { float ring_radius[]; };
 uniform int rings;
 uniform int first_sector;
 uniform int sectors_around;
+uniform float carried_by_patch;
 out vec4 surface;  // slope x, y; folding of the crest; height
 void main() {
   int ring = gl_VertexID % rings;
@@ -19,23 +17,15 @@ void main() {
   float next_radius = ring_radius[min(ring + 1, rings - 1)];
   float cell = max(next_radius - radius, radius * 2.0 * kPi / float(sectors_around));
   float open_water = 1.0 - patch_weight(p);
-  vec3 shift = vec3(0.0);
-  vec2 grad = vec2(0.0);
-  vec3 jacobian = vec3(0.0);  // xx, xy, yy of the horizontal displacement's gradient
-  for (int i = 0; i < wave_count.x; ++i) {
-    float wavelength = 2.0 * kPi / wave[i].y;
-    float fade = smoothstep(3.0, 6.5, wavelength / cell) * mix(1.0, open_water, wave_phase[i].y);
-    float a = wave[i].x * fade, k = wave[i].y;
-    vec2 d = wave[i].zw;
-    float theta = k * dot(d, p) + wave_phase[i].x;
-    float s = sin(theta), c = cos(theta);
-    shift += vec3(-a * s * d, a * c);
-    grad -= a * k * s * d;
-    jacobian -= a * k * c * vec3(d.x * d.x, d.x * d.y, d.y * d.y);
+  WaveSum sum = WaveSum(vec3(0.0), vec2(0.0), vec3(0.0));
+  for (int i = 0; i < wave_count; ++i) {
+    float wavelength = 2.0 * kPi / waves[i].turns.w;
+    float fade = smoothstep(3.0, 6.5, wavelength / cell) * (wavelength > carried_by_patch ? open_water : 1.0);
+    if (fade > 0.0) add_wave(i, p, fade, sum);
   }
-  mat2 stretch = mat2(1.0 + jacobian.x, jacobian.y, jacobian.y, 1.0 + jacobian.z);
+  mat2 stretch = mat2(1.0 + sum.jacobian.x, sum.jacobian.y, sum.jacobian.y, 1.0 + sum.jacobian.z);
   float fold = determinant(stretch);
-  vec2 slope = fold > 0.15 ? inverse(stretch) * grad : grad;
-  surface = vec4(clamp(slope, -1.2, 1.2), fold, shift.z);
-  gl_Position = project(vec3(p, level.x) + shift);
+  vec2 slope = fold > 0.15 ? inverse(stretch) * sum.slope : sum.slope;
+  surface = vec4(clamp(slope, -1.2, 1.2), fold, sum.shift.z);
+  gl_Position = project(vec3(p, level.x) + sum.shift);
 }

@@ -130,15 +130,5 @@ TEST(WaveDisplacement, KeepsTheMeanLevelAndSharpensCrests) {
   EXPECT_GT(wave_displacement(wave, -3.0, 0, 0).z(), 2.0);  // at the crest: a + k a^2 / 2
 }
 
-TEST(WavePhase, StaysInOneTurnAndAgrees) {
-  const WaveComponent wave{.amplitude = 1, .wavenumber = 0.05f, .omega = 0.7f, .direction = 1, .phase = 2};
-  for (const double t : {0.0, 1.0, 3600.0, 86400.0}) {
-    const double phase = wave_phase_at(wave, t);
-    EXPECT_GE(phase, 0.0);
-    EXPECT_LT(phase, 2.0 * std::numbers::pi);
-    EXPECT_NEAR(std::cos(phase), wave_elevation(std::vector{wave}, 0, 0, t), 1e-9);  // rounding of omega t = 6e4
-  }
-}
-
 }  // namespace
 }  // namespace pelagos

@@ -1,7 +1,6 @@
 #include "waves/wave_components.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace pelagos {
 
@@ -52,13 +51,6 @@ Eigen::Vector3d wave_displacement(std::span<const WaveComponent> components, dou
     displacement.z() += amplitude * angle.cosine + 0.5 * static_cast<double>(wave.wavenumber) * amplitude * amplitude;
   }
   return displacement;
-}
-
-double wave_phase_at(const WaveComponent& component, double t) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  const double phase =
-      std::fmod(static_cast<double>(component.phase) - static_cast<double>(component.omega) * t, kTurn);
-  return phase < 0.0 ? phase + kTurn : phase;
 }
 
 double wave_variance(std::span<const WaveComponent> components) {

@@ -36,9 +36,6 @@ struct WaveSurface {
 [[nodiscard]] Eigen::Vector3d wave_displacement(std::span<const WaveComponent> components, double x, double y,
                                                 double t);
 
-/// phase - omega t in [0, 2 pi): what a shader in single precision should be handed, so that long runs stay exact.
-[[nodiscard]] double wave_phase_at(const WaveComponent& component, double t);
-
 /// Mean of elevation^2, m^2: sum a^2 / 2. The significant wave height is 4 sqrt(variance).
 [[nodiscard]] double wave_variance(std::span<const WaveComponent> components);
 
