@@ -90,6 +90,23 @@ function(pelagos_add_library name)
   endif()
 endfunction()
 
+# Highway, for files with SIMD kernels. Off are sets between those that machines have, which would only cost build
+# time, and vectors without a fixed length, which no struct can hold.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy>=1.0.3)
+add_library(pelagos_simd INTERFACE)
+target_link_libraries(pelagos_simd INTERFACE PkgConfig::HWY)
+target_compile_definitions(pelagos_simd INTERFACE
+  "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX3_DL|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+
+# Files with SIMD kernels of the folder's library, which links pelagos_simd. They are compiled once per instruction set;
+# the machine picks one at run time.
+function(pelagos_simd_sources)
+  set_source_files_properties(${ARGN} PROPERTIES
+    SKIP_PRECOMPILE_HEADERS ON
+    COMPILE_OPTIONS "-O3;-fopenmp-simd;-fno-math-errno;-Wno-shadow;-Wno-old-style-cast")
+endfunction()
+
 # pelagos_add_program(name SOURCES main.cpp ... [LINK lib ...])
 function(pelagos_add_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "../support/brute_force_neighbors.hpp"
@@ -69,6 +71,37 @@ TEST(NeighborhoodKernel, NeighborsThatAreNoNumbersAddNothing) {
   EXPECT_EQ(sums.weight[0], 1.0f);
   EXPECT_EQ(sums.x[0], 0.0f);
   EXPECT_EQ(sums.weight[1], 0.0f);
+}
+
+/// Of the bits of all members, which are floats.
+template <class Sums>
+std::uint64_t hash_of(const Sums& sums, std::uint64_t hash) {
+  std::array<std::uint32_t, sizeof(Sums) / sizeof(std::uint32_t)> words;
+  std::memcpy(words.data(), &sums, sizeof sums);
+  for (const std::uint32_t word : words) hash = (hash ^ word) * 1099511628211ULL;
+  return hash;
+}
+
+TEST(NeighborhoodKernel, HasTheSameBitsOnEveryInstructionSet) {
+  FluidParticles fluid = random_fluid(500);
+  for (std::size_t i = 0; i < 500; ++i) fluid.velocity[i] = fluid.position[(7 * i + 3) % 500];
+  const auto list = test::find_neighbors_brute_force(fluid.position, 500, fluid.position, 500, 0.3f);
+  std::uint64_t slots = 14695981039346656037ULL, neighbors = slots;
+  for (std::size_t group = 0; group < list.groups.size(); ++group) {
+    GroupSums sums{};
+    add_slots(&fluid.position[group * kLanes], fluid.position.data(), list.slots.data(), list.groups[group], 0.25f,
+              sums);
+    slots = hash_of(sums, slots);
+  }
+  for (std::size_t i = 0; i < 500; ++i) {
+    ParticleSums sums;
+    add_neighbors(fluid.position[i], fluid.velocity[i], fluid.position.data(), fluid.velocity.data(), list, i, 0.25f,
+                  sums);
+    neighbors = hash_of(sums, neighbors);
+  }
+  // Every operation is rounded as IEEE 754 says and the order is fixed: these are the bits of any machine.
+  EXPECT_EQ(slots, 12425259530136122922U);
+  EXPECT_EQ(neighbors, 2931859683276169404U);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "physics/task_pool.hpp"
 
+#include <hwy/cache_control.h>
+
 #include <atomic>
 #include <cassert>
 #include <cstdint>
@@ -20,8 +22,6 @@ constexpr std::uint64_t kMask = (1ULL << kBits) - 1;
 struct alignas(64) Ticket {
   std::atomic<std::uint64_t> value{0};
 };
-
-inline void relax() { __builtin_ia32_pause(); }
 
 }  // namespace
 
@@ -58,7 +58,7 @@ struct TaskPool::State {
 
   void work(std::size_t self) {
     for (int seen = 0;;) {
-      for (int spin = 0; spin < kSpins && epoch.load(std::memory_order_acquire) == seen; ++spin) relax();
+      for (int spin = 0; spin < kSpins && epoch.load(std::memory_order_acquire) == seen; ++spin) hwy::Pause();
       epoch.wait(seen, std::memory_order_acquire);
       seen = epoch.load(std::memory_order_acquire);
       if (stop.load(std::memory_order_acquire)) return;
@@ -109,7 +109,7 @@ void TaskPool::for_each_block(std::size_t blocks, const std::function<void(std::
   state.wake();
   state.run_blocks(0);
   // Only blocks that others claimed are waited for: a worker that has not woken yet holds nobody up.
-  for (int spin = 0; spin < kSpins && state.completed.load(std::memory_order_acquire) != blocks; ++spin) relax();
+  for (int spin = 0; spin < kSpins && state.completed.load(std::memory_order_acquire) != blocks; ++spin) hwy::Pause();
   for (std::size_t done; (done = state.completed.load(std::memory_order_acquire)) != blocks;)
     state.completed.wait(done, std::memory_order_acquire);
 }

@@ -1,77 +1,72 @@
 #include "neighborhood_kernel.hpp"
 
-#include <xmmintrin.h>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "neighborhood_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
+#include "physics/simd_records-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
 namespace pelagos {
+namespace HWY_NAMESPACE {
 
-namespace {
+// No multiplication is fused with an addition: every instruction set gives the same bits.
 
-/// x, y and z of four records, one a lane.
-struct FourPoints {
-  __m128 x, y, z;
+/// Differences of x, y and z, one a lane.
+template <class V>
+struct Differences {
+  V x, y, z;
 };
 
-inline FourPoints load_four(const Float4& a, const Float4& b, const Float4& c, const Float4& d) {
-  const __m128 ra = _mm_load_ps(&a.x), rb = _mm_load_ps(&b.x), rc = _mm_load_ps(&c.x), rd = _mm_load_ps(&d.x);
-  const __m128 xy_ab = _mm_unpacklo_ps(ra, rb), xy_cd = _mm_unpacklo_ps(rc, rd);  // xa xb ya yb, xc xd yc yd
-  const __m128 zw_ab = _mm_unpackhi_ps(ra, rb), zw_cd = _mm_unpackhi_ps(rc, rd);
-  return {_mm_movelh_ps(xy_ab, xy_cd), _mm_movehl_ps(xy_cd, xy_ab), _mm_movelh_ps(zw_ab, zw_cd)};
+template <class V>
+HWY_INLINE V dot(const Differences<V>& a, const Differences<V>& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
-
-inline __m128 dot(const FourPoints& a, const FourPoints& b) {
-  return _mm_add_ps(_mm_add_ps(_mm_mul_ps(a.x, b.x), _mm_mul_ps(a.y, b.y)), _mm_mul_ps(a.z, b.z));
+template <class V>
+HWY_INLINE Differences<V> difference(const Records<V>& a, const Records<V>& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
-
-inline FourPoints difference(const FourPoints& a, const FourPoints& b) {
-  return {_mm_sub_ps(a.x, b.x), _mm_sub_ps(a.y, b.y), _mm_sub_ps(a.z, b.z)};
+template <class M, class V>
+HWY_INLINE Differences<V> zero_unless(M mask, const Differences<V>& a) {
+  return {hn::IfThenElseZero(mask, a.x), hn::IfThenElseZero(mask, a.y), hn::IfThenElseZero(mask, a.z)};
 }
-
-inline FourPoints masked(__m128 mask, const FourPoints& a) {
-  return {_mm_and_ps(mask, a.x), _mm_and_ps(mask, a.y), _mm_and_ps(mask, a.z)};
-}
-
-inline FourPoints repeat(const Float4& a) { return {_mm_set1_ps(a.x), _mm_set1_ps(a.y), _mm_set1_ps(a.z)}; }
 
 /// Support radius in the forms that the weights need.
+template <class D>
 struct Support {
-  explicit Support(float radius)
-      : squared(_mm_set1_ps(radius * radius)),
-        inverse(_mm_set1_ps(1.0f / radius)),
-        inverse_cubed(_mm_set1_ps(1.0f / (radius * radius * radius))) {}
-  __m128 squared, inverse, inverse_cubed;
+  hn::Vec<D> squared, inverse, inverse_cubed;
 };
-
-inline float sum_of(__m128 a) {
-  alignas(16) float lane[4];
-  _mm_store_ps(lane, a);
-  return (lane[0] + lane[1]) + (lane[2] + lane[3]);
+template <class D>
+HWY_INLINE Support<D> make_support(D d, float radius) {
+  return {hn::Set(d, radius * radius), hn::Set(d, 1.0F / radius), hn::Set(d, 1.0F / (radius * radius * radius))};
 }
 
-inline void add_to(float* sum, __m128 value) { _mm_store_ps(sum, _mm_add_ps(_mm_load_ps(sum), value)); }
+/// 1 - (r/h)^3 where `near` holds, else 0.
+template <class D, class M, class V>
+HWY_INLINE V weight_of(D d, M near, V squared, V distance, V inverse_cubed) {
+  const V cubed = hn::Mul(squared, distance);
+  return hn::IfThenElseZero(near, hn::Sub(hn::Set(d, 1.0F), hn::Mul(cubed, inverse_cubed)));
+}
 
-}  // namespace
-
-void add_slots(const Float4* query, const Float4* neighbors, const std::int32_t* slots, NeighborList::SlotRange range,
-               float support_radius, GroupSums& sums) {
-  constexpr std::size_t kFour = 4;
-  const Support support(support_radius);
-  const __m128 one = _mm_set1_ps(1.0f);
-  for (std::size_t lane = 0; lane < kLanes; lane += kFour) {
-    const FourPoints own = load_four(query[lane], query[lane + 1], query[lane + 2], query[lane + 3]);
-    __m128 weight = _mm_setzero_ps(), x = weight, y = weight, z = weight;
+void add_slots_impl(const Float4* query, const Float4* neighbors, const std::int32_t* slots,
+                    NeighborList::SlotRange range, float support_radius, GroupSums& sums) {
+  const FloatTag d;
+  const Support<FloatTag> support = make_support(d, support_radius);
+  const auto add_to = [&](float* sum, FloatV value) HWY_ATTR { hn::Store(hn::Add(hn::Load(d, sum), value), d, sum); };
+  for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(d)) {
+    const Vec4 own = load_records(query + lane);
+    FloatV weight = hn::Zero(d), x = weight, y = weight, z = weight;
     for (std::size_t slot = range.begin; slot < range.end; ++slot) {
-      const std::int32_t* index = slots + kLanes * slot + lane;
-      const FourPoints r = difference(
-          load_four(neighbors[index[0]], neighbors[index[1]], neighbors[index[2]], neighbors[index[3]]), own);
-      const __m128 squared = dot(r, r);
-      const __m128 near = _mm_cmplt_ps(squared, support.squared);  // all bits or none; none for NaN
-      const __m128 cubed = _mm_mul_ps(squared, _mm_sqrt_ps(squared));
-      const __m128 w = _mm_and_ps(near, _mm_sub_ps(one, _mm_mul_ps(cubed, support.inverse_cubed)));
-      const FourPoints near_r = masked(near, r);
-      weight = _mm_add_ps(weight, w);
-      x = _mm_add_ps(x, _mm_mul_ps(w, near_r.x));
-      y = _mm_add_ps(y, _mm_mul_ps(w, near_r.y));
-      z = _mm_add_ps(z, _mm_mul_ps(w, near_r.z));
+      const Differences<FloatV> r = difference(gather_records(neighbors, slots + kLanes * slot + lane), own);
+      const FloatV squared = dot(r, r);
+      const auto near = hn::Lt(squared, support.squared);  // false for NaN
+      const FloatV w = weight_of(d, near, squared, hn::Sqrt(squared), support.inverse_cubed);
+      const Differences<FloatV> near_r = zero_unless(near, r);
+      weight = hn::Add(weight, w);
+      x = hn::Add(x, hn::Mul(w, near_r.x));
+      y = hn::Add(y, hn::Mul(w, near_r.y));
+      z = hn::Add(z, hn::Mul(w, near_r.z));
     }
     add_to(sums.weight + lane, weight);
     add_to(sums.x + lane, x);
@@ -80,58 +75,120 @@ void add_slots(const Float4* query, const Float4* neighbors, const std::int32_t*
   }
 }
 
+/// Neighbours of one particle are taken four at a time on every machine: so many partial sums, added in one order. A
+/// machine without vectors takes them in four parts.
+constexpr std::size_t kFour = 4;
+using FourTag = hn::CappedTag<float, kFour>;
+using FourV = hn::Vec<FourTag>;
+
+HWY_INLINE Records<FourV> repeat(const Float4& a) {
+  const FourTag d;
+  return {hn::Set(d, a.x), hn::Set(d, a.y), hn::Set(d, a.z), hn::Set(d, a.w)};
+}
+
+/// Partial sums of ParticleSums.
+struct FourSums {
+  FourV weight, x, y, z, xx, xy, xz, yy, yz, zz, closing, closing_weight;
+};
+HWY_INLINE void add_moments(FourV w, const Differences<FourV>& r, FourSums& sums) {
+  const Differences<FourV> wr{hn::Mul(w, r.x), hn::Mul(w, r.y), hn::Mul(w, r.z)};
+  sums.weight = hn::Add(sums.weight, w);
+  sums.x = hn::Add(sums.x, wr.x);
+  sums.y = hn::Add(sums.y, wr.y);
+  sums.z = hn::Add(sums.z, wr.z);
+  sums.xx = hn::Add(sums.xx, hn::Mul(wr.x, r.x));
+  sums.xy = hn::Add(sums.xy, hn::Mul(wr.x, r.y));
+  sums.xz = hn::Add(sums.xz, hn::Mul(wr.x, r.z));
+  sums.yy = hn::Add(sums.yy, hn::Mul(wr.y, r.y));
+  sums.yz = hn::Add(sums.yz, hn::Mul(wr.y, r.z));
+  sums.zz = hn::Add(sums.zz, hn::Mul(wr.z, r.z));
+}
+/// The partial sums of each member of ParticleSums, from all parts.
+struct PartialSums {
+  HWY_ALIGN float value[12][kFour];
+};
+HWY_INLINE void store_part(const FourSums& sums, std::size_t part, PartialSums& out) {
+  const FourV all[12] = {sums.weight, sums.x,  sums.y,  sums.z,  sums.xx,      sums.xy,
+                         sums.xz,     sums.yy, sums.yz, sums.zz, sums.closing, sums.closing_weight};
+  for (std::size_t n = 0; n < 12; ++n) hn::StoreU(all[n], FourTag(), out.value[n] + part);
+}
+void add_sums(const PartialSums& from, ParticleSums& to) {
+  float* const all[12] = {&to.weight, &to.x,  &to.y,  &to.z,  &to.xx,      &to.xy,
+                          &to.xz,     &to.yy, &to.yz, &to.zz, &to.closing, &to.closing_weight};
+  for (std::size_t n = 0; n < 12; ++n) {
+    const float* part = from.value[n];
+    *all[n] += (part[0] + part[1]) + (part[2] + part[3]);
+  }
+}
+
+/// Neighbours of one particle.
+struct ParticleRow {
+  const std::int32_t* slots;
+  std::size_t count;
+  std::int32_t dummy;
+
+  [[nodiscard]] std::int32_t operator[](std::size_t k) const { return k < count ? slots[k * kLanes] : dummy; }
+};
+
+/// The partial sums of the neighbours part, part + 4, ...; as many as a vector has lanes.
+HWY_INLINE FourSums sum_part(const Float4& own, const Float4& own_velocity, const Float4* neighbors,
+                             const Float4* velocities, const ParticleRow& row, std::size_t part, float support_radius) {
+  const FourTag d;
+  const Support<FourTag> support = make_support(d, support_radius);
+  const FourV zero = hn::Zero(d), one = hn::Set(d, 1.0F);
+  const Records<FourV> centre = repeat(own), centre_velocity = repeat(own_velocity);
+  FourSums sums{zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
+  for (std::size_t k = 0; k < row.count; k += kFour) {
+    std::int32_t index[kFour];
+    for (std::size_t n = 0; n < hn::Lanes(d); ++n) index[n] = row[k + part + n];
+    const Differences<FourV> far_r = difference(gather_records(d, neighbors, index), centre);
+    const FourV squared = dot(far_r, far_r), distance = hn::Sqrt(squared);
+    const auto near = hn::Lt(squared, support.squared);
+    const Differences<FourV> r = zero_unless(near, far_r);
+    add_moments(weight_of(d, near, squared, distance, support.inverse_cubed), r, sums);
+    if (velocities == nullptr) continue;
+    const Differences<FourV> v = difference(gather_records(d, velocities, index), centre_velocity);
+    const FourV speed = hn::Sub(hn::Sqrt(dot(v, v)), hn::Div(dot(v, r), distance));
+    // Counted are neighbours at a distance whose closing speed is a number.
+    const auto counted = hn::And(hn::And(near, hn::Gt(squared, zero)), hn::Eq(speed, speed));
+    const FourV share = hn::IfThenElseZero(counted, hn::Sub(one, hn::Mul(distance, support.inverse)));
+    sums.closing = hn::Add(sums.closing, hn::Mul(share, hn::IfThenElseZero(counted, speed)));
+    sums.closing_weight = hn::Add(sums.closing_weight, share);
+  }
+  return sums;
+}
+
+void add_neighbors_impl(const Float4& own, const Float4& own_velocity, const Float4* neighbors,
+                        const Float4* velocities, const NeighborList& list, std::size_t i, float support_radius,
+                        ParticleSums& sums) {
+  const std::size_t first = list.groups[i / kLanes].begin * kLanes + i % kLanes;
+  const ParticleRow row{list.slots.data() + first, list.pair_count[i], list.dummy};
+  PartialSums partial;
+  for (std::size_t part = 0; part < kFour; part += hn::Lanes(FourTag()))
+    store_part(sum_part(own, own_velocity, neighbors, velocities, row, part, support_radius), part, partial);
+  add_sums(partial, sums);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace pelagos
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace pelagos {
+
+HWY_EXPORT(add_slots_impl);
+HWY_EXPORT(add_neighbors_impl);
+
+void add_slots(const Float4* query, const Float4* neighbors, const std::int32_t* slots, NeighborList::SlotRange range,
+               float support_radius, GroupSums& sums) {
+  HWY_DYNAMIC_DISPATCH(add_slots_impl)(query, neighbors, slots, range, support_radius, sums);
+}
+
 void add_neighbors(const Float4& own, const Float4& own_velocity, const Float4* neighbors, const Float4* velocities,
                    const NeighborList& list, std::size_t i, float support_radius, ParticleSums& sums) {
-  const std::int32_t* slots = list.slots.data() + list.groups[i / kLanes].begin * kLanes + i % kLanes;
-  const std::size_t count = list.pair_count[i];
-  const auto index_of = [&](std::size_t k) { return k < count ? slots[k * kLanes] : list.dummy; };
-  const Support support(support_radius);
-  const __m128 one = _mm_set1_ps(1.0f), zero = _mm_setzero_ps();
-  const FourPoints centre = repeat(own), centre_velocity = repeat(own_velocity);
-  __m128 weight = zero, x = zero, y = zero, z = zero, closing = zero, closing_weight = zero;
-  __m128 xx = zero, xy = zero, xz = zero, yy = zero, yz = zero, zz = zero;
-  for (std::size_t k = 0; k < count; k += 4) {
-    const std::int32_t a = index_of(k), b = index_of(k + 1), c = index_of(k + 2), d = index_of(k + 3);
-    const FourPoints far_r = difference(load_four(neighbors[a], neighbors[b], neighbors[c], neighbors[d]), centre);
-    const __m128 squared = dot(far_r, far_r);
-    const __m128 near = _mm_cmplt_ps(squared, support.squared);
-    const FourPoints r = masked(near, far_r);
-    const __m128 distance = _mm_sqrt_ps(squared);
-    const __m128 cubed = _mm_mul_ps(squared, distance);
-    const __m128 w = _mm_and_ps(near, _mm_sub_ps(one, _mm_mul_ps(cubed, support.inverse_cubed)));
-    const FourPoints wr{_mm_mul_ps(w, r.x), _mm_mul_ps(w, r.y), _mm_mul_ps(w, r.z)};
-    weight = _mm_add_ps(weight, w);
-    x = _mm_add_ps(x, wr.x);
-    y = _mm_add_ps(y, wr.y);
-    z = _mm_add_ps(z, wr.z);
-    xx = _mm_add_ps(xx, _mm_mul_ps(wr.x, r.x));
-    xy = _mm_add_ps(xy, _mm_mul_ps(wr.x, r.y));
-    xz = _mm_add_ps(xz, _mm_mul_ps(wr.x, r.z));
-    yy = _mm_add_ps(yy, _mm_mul_ps(wr.y, r.y));
-    yz = _mm_add_ps(yz, _mm_mul_ps(wr.y, r.z));
-    zz = _mm_add_ps(zz, _mm_mul_ps(wr.z, r.z));
-    if (velocities == nullptr) continue;
-    const FourPoints v =
-        difference(load_four(velocities[a], velocities[b], velocities[c], velocities[d]), centre_velocity);
-    const __m128 speed = _mm_sub_ps(_mm_sqrt_ps(dot(v, v)), _mm_div_ps(dot(v, r), distance));
-    // Counted are neighbours at a distance whose closing speed is a number.
-    const __m128 counted = _mm_and_ps(_mm_and_ps(near, _mm_cmpgt_ps(squared, zero)), _mm_cmpord_ps(speed, speed));
-    const __m128 share = _mm_and_ps(counted, _mm_sub_ps(one, _mm_mul_ps(distance, support.inverse)));
-    closing = _mm_add_ps(closing, _mm_mul_ps(share, _mm_and_ps(counted, speed)));
-    closing_weight = _mm_add_ps(closing_weight, share);
-  }
-  sums.weight += sum_of(weight);
-  sums.x += sum_of(x);
-  sums.y += sum_of(y);
-  sums.z += sum_of(z);
-  sums.xx += sum_of(xx);
-  sums.xy += sum_of(xy);
-  sums.xz += sum_of(xz);
-  sums.yy += sum_of(yy);
-  sums.yz += sum_of(yz);
-  sums.zz += sum_of(zz);
-  sums.closing += sum_of(closing);
-  sums.closing_weight += sum_of(closing_weight);
+  HWY_DYNAMIC_DISPATCH(add_neighbors_impl)
+  (own, own_velocity, neighbors, velocities, list, i, support_radius, sums);
 }
 
 }  // namespace pelagos
+#endif  // HWY_ONCE

@@ -15,8 +15,8 @@ struct alignas(64) GroupSums {
 };
 
 /// Adds the slots `range` of `slots` to `sums`. Neighbours at support_radius or farther, the dummy and neighbours that
-/// are not finite add nothing. Four lanes at a time in SSE registers, part of every x86-64: one load brings a record,
-/// four are transposed. Sums of a lane run in slot order, so the bits do not depend on what else is in its group.
+/// are not finite add nothing. Sums of a lane run in slot order, so the bits depend neither on what else is in its
+/// group nor on the instruction set.
 /// @param query      the group's 16 positions
 /// @param neighbors  positions that the slots index
 void add_slots(const Float4* query, const Float4* neighbors, const std::int32_t* slots, NeighborList::SlotRange range,
@@ -31,7 +31,8 @@ struct ParticleSums {
   float closing_weight = 0;  ///< sum of (1 - |r|/h) of the same
 };
 
-/// Adds the neighbours of particle i of `list`, four at a time; what is too far or no number adds nothing.
+/// Adds the neighbours of particle i of `list`, four at a time; what is too far or no number adds nothing. The bits do
+/// not depend on the instruction set.
 /// @param own, own_velocity      of particle i
 /// @param neighbors, velocities  that the list indexes; velocities may be null: then nothing is added to `closing`
 void add_neighbors(const Float4& own, const Float4& own_velocity, const Float4* neighbors, const Float4* velocities,
