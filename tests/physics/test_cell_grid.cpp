@@ -59,6 +59,27 @@ TEST(CellGrid, SortsStablyForAnyNumberOfPointsAndThreads) {
   }
 }
 
+TEST(CellGrid, SortsAlikeInAnyNumberOfChunks) {
+  std::vector<Float4> points = some_points(9000, 11);
+  points[17].x = points[8000].z = std::numeric_limits<float>::quiet_NaN();
+  points[18].y = std::numeric_limits<float>::infinity();
+  points[19].z = -1e30F;
+  TaskPool pool(3);
+  CellGrid grid(kUnit, 0.05);
+  std::vector<std::uint32_t> first, order;
+  for (int round = 0; round < 2; ++round) {  // first in no order, then nearly sorted
+    for (const std::size_t chunks : {1U, 2U, 3U, 4U, 8U, 16U, 64U, 0U}) {
+      grid.sort(pool, points, order, chunks);
+      expect_sorted(grid, points, order);
+      if (chunks == 1) first = order;
+      ASSERT_EQ(order, first) << chunks << " chunks";
+    }
+    std::vector<Float4> sorted;
+    for (const std::uint32_t i : order) sorted.push_back({points[i].x, points[i].y, points[i].z + 0.02F, 0});
+    points = sorted;
+  }
+}
+
 TEST(CellGrid, SortsAgainWithOtherCounts) {
   TaskPool pool(2);
   CellGrid grid(kUnit, 0.3);

@@ -3,19 +3,33 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
+
+#include "cell_sort.hpp"
 
 namespace pelagos {
 
 namespace {
 
-/// The sort is cut into this many chunks of points, whatever the number of threads.
-constexpr std::size_t kSortChunks = 2;
-constexpr std::size_t kCellBlock = 8192;
+/// A chunk has at least so many points: fewer are not worth handing to a thread.
+constexpr std::size_t kLeastChunk = 2048;
+/// Chunks for each thread: one that is held up by other programs leaves its second chunk to the others.
+constexpr std::size_t kChunksPerThread = 2;
 
 int clamped_cell(float offset, int dims) {
   if (!(offset > 0.0F)) return 0;  // also catches NaN
   if (offset >= static_cast<float>(dims)) return dims - 1;
   return static_cast<int>(offset);
+}
+
+std::vector<SortChunk> make_chunks(std::size_t points, std::size_t chunks, std::size_t cells,
+                                   std::vector<std::uint32_t>& histograms) {
+  histograms.resize(chunks * cells);
+  const std::size_t size = (points + chunks - 1) / chunks;
+  std::vector<SortChunk> all(chunks);
+  for (std::size_t c = 0; c < chunks; ++c)
+    all[c] = {std::min(c * size, points), std::min((c + 1) * size, points), {}, histograms.data() + c * cells};
+  return all;
 }
 
 }  // namespace
@@ -61,55 +75,32 @@ void CellGrid::mark_near_cells() {
       }
 }
 
-void CellGrid::sort(TaskPool& pool, std::span<const Float4> points, std::vector<std::uint32_t>& order) {
+void CellGrid::sort(TaskPool& pool, std::span<const Float4> points, std::vector<std::uint32_t>& order,
+                    std::size_t chunks) {
   const std::size_t count = points.size(), cells = cell_count();
-  const std::size_t chunk = (count + kSortChunks - 1) / kSortChunks;
+  if (chunks == 0)
+    chunks = std::clamp(count / kLeastChunk, std::size_t{1},
+                        kChunksPerThread * static_cast<std::size_t>(pool.thread_count()));
   near_.clear();
   key_.resize(count);
   order.resize(count);
-  histogram_.resize(kSortChunks * cells);
-
-  const auto chunk_range = [&](std::size_t c) {
-    return std::pair{std::min(c * chunk, count), std::min((c + 1) * chunk, count)};
-  };
-  pool.for_each_block(kSortChunks, [&](std::size_t c) {
-    std::uint32_t* histogram = histogram_.data() + c * cells;
-    std::fill_n(histogram, cells, 0U);
-    const auto [first, last] = chunk_range(c);
-    for (std::size_t i = first; i < last; ++i) {
-      key_[i] = cell_of(points[i]);
-      ++histogram[key_[i]];
-    }
+  std::vector<SortChunk> all = make_chunks(count, chunks, cells, histogram_);
+  const CellFrame frame{{origin_[0], origin_[1], origin_[2]}, inverse_cell_size_, {dims_[0], dims_[1], dims_[2]}};
+  pool.for_each_block(chunks, [&](std::size_t c) {
+    find_cells(frame, points, all[c], key_);
+    count_points(key_, all[c]);
   });
-
   // Exclusive prefix sum over (cell, chunk), in blocks of cells: block totals first, then each block on its own.
-  const std::size_t blocks = (cells + kCellBlock - 1) / kCellBlock;
-  std::vector<std::uint32_t> total(blocks + 1, 0);
+  std::vector<std::uint32_t> total((cells + kCellBlock - 1) / kCellBlock + 1, 0);
   pool.for_each_range(cells, kCellBlock, [&](std::size_t first, std::size_t last) {
-    std::uint32_t sum = 0;
-    for (std::size_t c = 0; c < kSortChunks; ++c)
-      for (std::size_t cell = first; cell < last; ++cell) sum += histogram_[c * cells + cell];
-    total[first / kCellBlock + 1] = sum;
+    total[first / kCellBlock + 1] = add_histograms(all, {first, last}, begin_);
   });
-  for (std::size_t b = 0; b < blocks; ++b) total[b + 1] += total[b];
+  std::partial_sum(total.begin(), total.end(), total.begin());
   pool.for_each_range(cells, kCellBlock, [&](std::size_t first, std::size_t last) {
-    std::uint32_t running = total[first / kCellBlock];
-    for (std::size_t cell = first; cell < last; ++cell) {
-      begin_[cell] = running;
-      for (std::size_t c = 0; c < kSortChunks; ++c) {
-        const std::uint32_t in_chunk = histogram_[c * cells + cell];
-        histogram_[c * cells + cell] = running;
-        running += in_chunk;
-      }
-    }
+    place_cells(all, {first, last}, total[first / kCellBlock], begin_);
   });
   begin_[cells] = static_cast<std::uint32_t>(count);
-
-  pool.for_each_block(kSortChunks, [&](std::size_t c) {
-    std::uint32_t* cursor = histogram_.data() + c * cells;
-    const auto [first, last] = chunk_range(c);
-    for (std::size_t i = first; i < last; ++i) order[cursor[key_[i]]++] = static_cast<std::uint32_t>(i);
-  });
+  pool.for_each_block(chunks, [&](std::size_t c) { write_order(key_, all[c], order); });
 }
 
 }  // namespace pelagos

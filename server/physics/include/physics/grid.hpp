@@ -40,8 +40,11 @@ class CellGrid {
   [[nodiscard]] Float4 center(int x, int y, int z) const;
 
   /// Sorts points by cell, stably: `order[k]` is the old index of the k-th point, `begin()[c] .. begin()[c + 1]` are
-  /// the points of cell c in the new order. The result does not depend on the number of threads.
-  void sort(TaskPool& pool, std::span<const Float4> points, std::vector<std::uint32_t>& order);
+  /// the points of cell c in the new order.
+  /// @param chunks  parts of the points that threads count and place on their own; 0: as many as suit the threads.
+  ///                Little is to be done for a chunk more where points are nearly sorted already.
+  /// The result depends neither on the number of threads nor on that of chunks.
+  void sort(TaskPool& pool, std::span<const Float4> points, std::vector<std::uint32_t>& order, std::size_t chunks = 0);
 
   [[nodiscard]] std::span<const std::uint32_t> begin() const { return begin_; }
 
@@ -55,9 +58,9 @@ class CellGrid {
   float cell_size_ = 1.0F;
   float inverse_cell_size_ = 1.0F;
   int dims_[3] = {1, 1, 1};
-  std::vector<std::uint32_t> begin_;  ///< [cells + 1]
-  std::vector<std::uint8_t> near_;    ///< [cells], or empty: not marked
-  std::vector<std::uint32_t> key_;
+  std::vector<std::uint32_t> begin_;      ///< [cells + 1]
+  std::vector<std::uint8_t> near_;        ///< [cells], or empty: not marked
+  std::vector<std::uint32_t> key_;        ///< [points] their cells, of the last sort
   std::vector<std::uint32_t> histogram_;  ///< [chunks][cells]
 };
 
