@@ -82,9 +82,9 @@ HWY_INLINE Vec4 gather_records(const Float4* HWY_RESTRICT base, const std::int32
 /// Loads consecutive records and transposes them (the query side of a pair loop).
 HWY_INLINE Vec4 load_records(const Float4* from) {
   const FloatTag d;
-  Vec4 v;
-  hn::LoadInterleaved4(d, &from->x, v.x, v.y, v.z, v.w);
-  return v;
+  FloatV x, y, z, w;
+  hn::LoadInterleaved4(d, &from->x, x, y, z, w);
+  return {x, y, z, w};
 }
 HWY_INLINE void store_records(const Vec4& v, Float4* to) {
   hn::StoreInterleaved4(v.x, v.y, v.z, v.w, FloatTag(), &to->x);
