@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "pair_scene.hpp"
 #include "physics/boundary.hpp"
@@ -72,6 +74,34 @@ TEST(BoundaryVolumes, OfNoneOneAndTwoSamples) {
   std::vector<Float4> same = {{1, 2, 3, 0}, {1, 2, 3, 0}};
   assign_boundary_volumes(pool, 0.1, same);
   for (const Float4& sample : same) EXPECT_NEAR(static_cast<double>(sample.w), 0.5 * alone, 1e-6 * alone);
+}
+
+/// What samples make of the kernel, times their volumes, above the middle of a layer at z = 0.
+double felt_above(std::span<const Float4> samples, double height, double radius) {
+  const ReferenceSpline reference{radius};
+  double sum = 0.0;
+  for (const Float4& sample : samples) {
+    const Double3 x = minus(as_double(sample), Double3{0.0, 0.0, height});
+    sum += static_cast<double>(sample.w) * reference.value(std::sqrt(dot(x, x)));
+  }
+  return sum;
+}
+
+TEST(BoundaryVolumes, OfAPlateOfTwoLayersAreFeltAsOneLayerIs) {
+  TaskPool pool(2);
+  const double d = 0.05, radius = 2.0 * d;
+  std::vector<Float4> single = lattice({11, 11, 1}, d, {-5 * d, -5 * d, 0});
+  assign_boundary_volumes(pool, radius, single);
+  const double right = felt_above(single, d, radius);
+  for (const double apart : {0.0, 0.1, 0.4, 0.8, 1.5}) {
+    std::vector<Float4> plate = lattice({11, 11, 1}, d, {-5 * d, -5 * d, 0});
+    std::vector<Eigen::Vector3f> inward(plate.size(), -Eigen::Vector3f::UnitZ());
+    const std::vector<Float4> far = lattice({11, 11, 1}, d, {-5 * d, -5 * d, -apart * d});
+    plate.insert(plate.end(), far.begin(), far.end());
+    inward.resize(plate.size(), Eigen::Vector3f::UnitZ());
+    assign_boundary_volumes(pool, radius, inward, d, plate);
+    EXPECT_NEAR(felt_above(plate, d, radius) / right, 1.0, 0.05) << apart;
+  }
 }
 
 constexpr double kTankSpacing = 0.05, kTankSupport = 0.1;

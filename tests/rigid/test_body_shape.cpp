@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "../support/places.hpp"
+#include "physics/boundary.hpp"
 #include "rigid/body_shape.hpp"
+#include "rigid/sample_inset.hpp"
 #include "shapes/primitive.hpp"
 #include "test_meshes.hpp"
 #include "waves/splitmix.hpp"
@@ -18,11 +20,13 @@ using test::joined;
 using test::make_box;
 using test::make_sphere;
 
+/// Between samples of one side.
 double least_distance(const BodyShape& shape) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < shape.samples.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      least = std::min(least, static_cast<double>((shape.samples[i] - shape.samples[j]).norm()));
+      if (!are_opposed(shape.inward[i], shape.inward[j]))
+        least = std::min(least, static_cast<double>((shape.samples[i] - shape.samples[j]).norm()));
   return least;
 }
 
@@ -77,6 +81,28 @@ TEST(BodyShape, ThinPlateIsSampledInItsMiddle) {
     EXPECT_NEAR(sample.z(), 0.05f, 1e-3);
     EXPECT_TRUE(shape.inside(sample.cast<double>()));
   }
+}
+
+TEST(BodyShape, APlateHasAWholeLayerOnEachSide) {
+  const double d = 0.25;
+  for (const double thickness : {1.3, 1.6, 2.0}) {
+    const BodyShape shape = make_body_shape(make_box({-4, -4, 0}, {4, 4, thickness * d}), d, 0.6);
+    ASSERT_EQ(shape.inward.size(), shape.samples.size());
+    std::size_t low = 0;
+    for (std::size_t k = 0; k < shape.samples.size(); ++k) {
+      if (shape.samples[k].head<2>().cwiseAbs().maxCoeff() > 3.0F) continue;  // the edges
+      EXPECT_NEAR(std::abs(shape.inward[k].z()), 1.0F, 1e-5F);
+      low += shape.inward[k].z() > 0.0F ? 1 : 0;
+    }
+    EXPECT_GT(static_cast<double>(low) * d * d / 36.0, 0.8) << thickness;
+  }
+}
+
+TEST(SampleInset, IsLessForFlatFacesThanForCurvedOnes) {
+  EXPECT_EQ(default_sample_inset(make_mesh(BoxShape{{2, 1, 0.5}})), 0.53);
+  EXPECT_EQ(default_sample_inset(joined({make_box({0, 0, 0}, {3, 1, 1}), make_box({0, 1, 0}, {1, 3, 1})})), 0.53);
+  EXPECT_EQ(default_sample_inset(make_sphere(1.0, 24)), 0.61);
+  EXPECT_EQ(default_sample_inset(make_mesh(CylinderShape{0.5, 2.0})), 0.61);
 }
 
 /// The parts that a wall of 3 x 0.8 x 2 m may come in.

@@ -129,6 +129,36 @@ TEST(BodyContacts, StopABodyAtAPlaneAndLeaveItInTheAir) {
   EXPECT_LT(body.velocity().norm(), 0.02);
 }
 
+/// How fast (m/s) a brick falls after half a second between two planes that it just fits between.
+/// @param thrown  m/s, at the start
+double fall_between_planes(BodyContacts::Face face, const Eigen::Vector3d& thrown) {
+  BodyState start;
+  start.velocity = thrown;
+  FreeBody body(start, brick(), FreeBody::Freedom::kAll);
+  BodyContacts contacts(0.1);
+  for (const double side : {-1.0, 1.0})
+    contacts.add_plane({-1.5 * side, 0.0, 0.0}, side * Eigen::Vector3d::UnitX(), face);
+  const std::size_t hull = contacts.add_free(make_mesh(BoxShape{{3.0, 2.0, 1.0}}), brick(), FreeBody::Freedom::kAll);
+  for (int k = 0; k < 500; ++k) {
+    body.predict(1e-3, 9.81, FreeBody::Order::kDriftFirst);
+    contacts.place_free(hull, body);
+    contacts.resolve(1e-3);
+    body.take(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), contacts.velocity(hull),
+              contacts.angular_velocity(hull));
+  }
+  return -body.velocity().z();
+}
+
+TEST(BodyContacts, DoNotWedgeWhatJustFitsBetweenPlanes) {
+  EXPECT_NEAR(fall_between_planes(BodyContacts::Face::kSmooth, {0, 0, 0}), 0.5 * 9.81, 1e-9);
+  EXPECT_NEAR(fall_between_planes(BodyContacts::Face::kRough, {0, 0, 0}), 0.5 * 9.81, 0.05);
+}
+
+TEST(BodyContacts, OfSmoothPlanesDoNotRub) {
+  EXPECT_NEAR(fall_between_planes(BodyContacts::Face::kSmooth, {5, 0, -3}), 3.0 + 0.5 * 9.81, 0.05);
+  EXPECT_LT(fall_between_planes(BodyContacts::Face::kRough, {5, 0, -3}), 2.0 + 0.5 * 9.81);
+}
+
 TEST(BodyContacts, ShareMomentumBetweenBodies) {
   const TriangleMesh mesh = make_mesh(BoxShape{{1.0, 1.0, 1.0}});
   MassSettings settings;

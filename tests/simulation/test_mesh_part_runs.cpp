@@ -76,6 +76,48 @@ Leak leak_through(const std::vector<Block>& wall, double seconds) {
   return leak;
 }
 
+/// Five blocks that make an open boat of 2 x 1.2 x 0.8 m with plates of two spacings; her bottom is at z = 0.
+std::vector<Block> open_boat() {
+  return {{{-1, -0.6, 0}, {1, 0.6, 0.2}},
+          {{-1, -0.6, 0}, {-0.8, 0.6, 0.8}},
+          {{0.8, -0.6, 0}, {1, 0.6, 0.8}},
+          {{-1, -0.6, 0}, {1, -0.4, 0.8}},
+          {{-1, 0.4, 0}, {1, 0.6, 0.8}}};
+}
+
+TEST(MeshPartRuns, AnOpenBoatThatJustFitsIsLoweredAndFloatsByHerWeight) {
+  const BlocksFile file(open_boat());
+  Scene scene;
+  scene.particle_spacing = 0.1;
+  scene.tank = {{-1, -1.5, -1}, {1, 1.5, 1}};
+  scene.tank_edges = {TankEdge::kMirror, TankEdge::kMirror, TankEdge::kMirror};
+  scene.water.blocks = {{{-1, -1.5, -1}, {1, 1.5, 0}}};
+  scene.water.settle_steps = 100;
+  BodySettings boat;
+  boat.id = 1;
+  boat.drive = BodyDrive::kFree;
+  boat.mesh_file = file.path();
+  boat.mass.mass = 960.0;
+  boat.position = {0, 0, 0.05};
+  scene.bodies = {boat};
+  World world(scene, {2, nullptr, {}});
+  Snapshot snapshot;
+  StepReport report;
+  double buoyant = 0.0, bottom = 0.0;
+  int frames = 0;
+  run_until(world, 24.0, [&](const WorldStep& step) {
+    expect_sound(step);
+    if (!step.frame_reached || world.time() < 16.0) return;
+    world.fill_snapshot(snapshot, report);
+    buoyant += snapshot.loads[0].buoyant_force.z();
+    bottom += body_of(world).position.z();
+    ++frames;
+  });
+  EXPECT_NEAR(buoyant / frames / (960.0 * 9.81), 1.0, 0.015);
+  EXPECT_NEAR(bottom / frames, 0.96 / 6.0 - 0.4, 0.006) << "the level rises by what she displaces";
+  EXPECT_EQ(world.bodies().holds().at(0).water, 0.0);
+}
+
 TEST(MeshPartRuns, AWallOfBlocksThatOverlapHoldsWaterAsOneBlockDoes) {
   const double seconds = 3.0;
   for (const std::vector<Block>& wall :

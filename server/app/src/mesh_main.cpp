@@ -33,7 +33,8 @@ void add_options(CLI::App& app, std::string& file, MeshQuestions& questions, boo
       ->check(NumberFrom(500.0, 2000.0));
   app.add_option("--spacing", questions.spacing, "Particle spacing, m: number of boundary samples")
       ->check(NumberFrom(0.001, 100.0));
-  app.add_option("--inset", questions.inset, "Of the samples, spacings (default: 0.61)")->check(NumberFrom(0.0, 1.0));
+  app.add_option("--inset", questions.inset, "Of the samples, spacings (default: 0.53 where faces are flat, else 0.61)")
+      ->check(NumberFrom(0.0, 1.0));
 }
 
 }  // namespace

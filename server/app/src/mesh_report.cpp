@@ -127,7 +127,7 @@ bool report_samples(const MeshFile& file, const MeshQuestions& questions, std::o
   if (!shape.faults.empty()) return false;
   line(out, "samples",
        fmt::format("{} at a spacing of {:g} m, {:g} spacings inside", shape.samples.size(), questions.spacing,
-                   questions.inset));
+                   shape.inset));
   return true;
 }
 

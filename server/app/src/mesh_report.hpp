@@ -12,7 +12,7 @@ namespace pelagos {
 struct MeshQuestions {
   MeshOptions options;
   double spacing = 0.0;             ///< m, of the boundary samples; 0: not asked
-  double inset = 0.61;              ///< spacings
+  std::optional<double> inset;      ///< spacings; nothing: as a scene that does not say
   std::optional<double> waterline;  ///< m, z of the water in body axes
   std::optional<double> draft;      ///< m, above the lowest point
   double density = 1025.0;          ///< kg/m^3, of the water

@@ -53,6 +53,44 @@ Region bounds(std::span<const Float4> points) {
   return region;
 }
 
+/// What a layer of samples makes of the kernel at a distance q from it (support radii), to a factor: the integral of W
+/// over a plane.
+double layer_sum(double q) {
+  const double a = std::max(1.0 - q, 0.0), b = std::max(0.5 - q, 0.0);
+  return 2.0 * (std::pow(a, 4) / 4.0 - std::pow(a, 5) / 5.0) - 8.0 * (std::pow(b, 4) / 8.0 - std::pow(b, 5) / 5.0);
+}
+
+/// How far the samples of a layer `apart` behind another count among its own, for water at `clearance` (support radii).
+double far_layer_share(double apart, double clearance) {
+  const double near = layer_sum(clearance) * layer_sum(apart);
+  return near > 0.0 ? layer_sum(clearance + apart) * layer_sum(0.0) / near : 0.0;
+}
+
+/// V_b = 1 / sum_b' share(b, b') W_bb'.
+template <class Share>
+void sum_volumes(TaskPool& pool, double support_radius, std::span<Float4> samples, Share&& share) {
+  if (samples.empty()) return;
+  CellGrid grid(bounds(samples), support_radius);
+  std::vector<std::uint32_t> order;
+  grid.sort(pool, samples, order);
+  std::vector<Float4> sorted(padded_count(samples.size()), Float4{1e9F, 1e9F, 1e9F, 0});
+  for (std::size_t k = 0; k < samples.size(); ++k) sorted[k] = samples[order[k]];
+  NeighborList list;
+  const SearchSource source{&grid, sorted.data(), 0};
+  find_neighbors(pool, grid, {sorted.data(), samples.size()}, {&source, 1}, static_cast<float>(support_radius),
+                 static_cast<std::int32_t>(samples.size()), list);
+  const CubicSpline kernel(support_radius);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    double sum = 0.0;
+    for_each_neighbor(list, k, [&](std::size_t other) {
+      const Float4 &a = sorted[k], &b = sorted[other];
+      const auto w = static_cast<double>(kernel.value(std::hypot(a.x - b.x, a.y - b.y, a.z - b.z)));
+      sum += share(order[k], order[other]) * w;
+    });
+    samples[order[k]].w = static_cast<float>(1.0 / sum);
+  }
+}
+
 }  // namespace
 
 std::vector<Float4> sample_box(const Region& box, double spacing) {
@@ -76,25 +114,19 @@ std::vector<Float4> sample_tank(TaskPool& pool, const Region& tank, const std::a
 }
 
 void assign_boundary_volumes(TaskPool& pool, double support_radius, std::span<Float4> samples) {
-  if (samples.empty()) return;
-  CellGrid grid(bounds(samples), support_radius);
-  std::vector<std::uint32_t> order;
-  grid.sort(pool, samples, order);
-  std::vector<Float4> sorted(padded_count(samples.size()), Float4{1e9F, 1e9F, 1e9F, 0});
-  for (std::size_t k = 0; k < samples.size(); ++k) sorted[k] = samples[order[k]];
-  NeighborList list;
-  const SearchSource source{&grid, sorted.data(), 0};
-  find_neighbors(pool, grid, {sorted.data(), samples.size()}, {&source, 1}, static_cast<float>(support_radius),
-                 static_cast<std::int32_t>(samples.size()), list);
-  const CubicSpline kernel(support_radius);
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    double sum = 0.0;
-    for_each_neighbor(list, k, [&](std::size_t other) {
-      const Float4 &a = sorted[k], &b = sorted[other];
-      sum += static_cast<double>(kernel.value(std::hypot(a.x - b.x, a.y - b.y, a.z - b.z)));
-    });
-    samples[order[k]].w = static_cast<float>(1.0 / sum);
-  }
+  sum_volumes(pool, support_radius, samples, [](std::uint32_t, std::uint32_t) { return 1.0; });
+}
+
+void assign_boundary_volumes(TaskPool& pool, double support_radius, std::span<const Eigen::Vector3f> inward,
+                             double clearance, std::span<Float4> samples) {
+  const std::vector<Float4> at(samples.begin(), samples.end());
+  const auto share = [&](std::uint32_t k, std::uint32_t other) {
+    if (!are_opposed(inward[k], inward[other])) return 1.0;
+    const Eigen::Vector3f way(at[other].x - at[k].x, at[other].y - at[k].y, at[other].z - at[k].z);
+    return far_layer_share(std::abs(static_cast<double>(inward[k].dot(way))) / support_radius,
+                           clearance / support_radius);
+  };
+  sum_volumes(pool, support_radius, samples, share);
 }
 
 std::array<std::size_t, 3> block_particles(const std::array<double, 3>& size, double spacing) {

@@ -178,10 +178,13 @@ BodyContacts::~BodyContacts() = default;
 BodyContacts::BodyContacts(BodyContacts&&) noexcept = default;
 BodyContacts& BodyContacts::operator=(BodyContacts&&) noexcept = default;
 
-void BodyContacts::add_plane(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
-  auto shape = std::make_unique<btStaticPlaneShape>(to_bullet(normal), normal.dot(point));
+/// Shapes grow by their margin: the plane stands back by as much, so a body that just fits between two is not wedged.
+void BodyContacts::add_plane(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, Face face) {
+  const double offset = normal.dot(point) - kMargin * world_->length;
+  auto shape = std::make_unique<btStaticPlaneShape>(to_bullet(normal), offset);
   shape->setMargin(0.0);
   btRigidBody& body = world_->add(std::move(shape), 0.0, Eigen::Vector3d::Zero());
+  if (face == Face::kSmooth) body.setFriction(0.0);
   world_->publish(body, World::kFixedGroup, World::kFreeGroup);
 }
 

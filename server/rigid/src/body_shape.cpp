@@ -8,6 +8,7 @@
 
 #include "poisson_disk.hpp"
 #include "rigid/mesh_union.hpp"
+#include "rigid/sample_inset.hpp"
 
 namespace pelagos {
 
@@ -73,15 +74,23 @@ double count_surface_points(const TriangleMesh& mesh, double step) {
   return count;
 }
 
+struct Candidates {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<Eigen::Vector3d> inward;  ///< unit, from the surface; zero in the middle of a plate and on the surface
+};
+
 /// Points `inset` below the surface, or in the middle where the body is thinner than twice that.
-std::vector<Eigen::Vector3d> make_candidates(const TriangleMesh& mesh, const BodyShape& shape, double step,
-                                             double inset) {
+Candidates make_candidates(const TriangleMesh& mesh, const BodyShape& shape, double step, double inset) {
   const MeshQuery& surface = *shape.surface;
   const double tiny = 1e-9 * surface.bounding_box().sizes().maxCoeff();
-  std::vector<Eigen::Vector3d> candidates;
+  Candidates candidates;
+  const auto add = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& inward) {
+    candidates.points.push_back(point);
+    candidates.inward.push_back(inward);
+  };
   for_each_surface_point(mesh, step, [&](const Eigen::Vector3d& point, const Eigen::Vector3d& inward, bool is_corner) {
     if (inset <= 0.0) {
-      candidates.push_back(point);
+      add(point, Eigen::Vector3d::Zero());
       return;
     }
     const double thickness = surface.first_hit(point, inward, tiny);
@@ -91,7 +100,8 @@ std::vector<Eigen::Vector3d> make_candidates(const TriangleMesh& mesh, const Bod
     const Eigen::Vector3d candidate = point + depth * inward;
     if (depth <= tiny || surface.distance(candidate, inset) < kDistanceSlack * depth) return;
     // Before its first meeting with the surface a ray from a face inwards is inside; an average may point outwards.
-    if (!is_corner || shape.inside(candidate)) candidates.push_back(candidate);
+    if (is_corner && !shape.inside(candidate)) return;
+    add(candidate, depth < inset ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : inward);
   });
   return candidates;
 }
@@ -120,7 +130,7 @@ double BodyShape::signed_distance(const Eigen::Vector3d& point_body, double limi
   return inside(point_body) ? -distance : distance;
 }
 
-BodyShape make_body_shape(const TriangleMesh& given, double spacing, double inset, MeshKind kind,
+BodyShape make_body_shape(const TriangleMesh& given, double spacing, std::optional<double> inset, MeshKind kind,
                           const MeshOrigin& origin) {
   BodyShape shape;
   shape.kind = kind;
@@ -133,19 +143,22 @@ BodyShape make_body_shape(const TriangleMesh& given, double spacing, double inse
                            std::to_string(spacing) + " m: raise particle_spacing or mend mesh_scale");
   if (!shape.faults.empty()) return shape;
 
+  shape.inset = inset.value_or(default_sample_inset(mesh));
   shape.surface = std::make_shared<const MeshQuery>(mesh);
   for (const Eigen::Vector3d& vertex : mesh.vertices) shape.bounding_box.extend(vertex);
 
-  const auto candidates = make_candidates(mesh, shape, step, inset * spacing);
-  for (const std::size_t chosen : select_poisson_disk(candidates, kLeastDistance * spacing)) {
-    shape.samples.push_back(candidates[chosen].cast<float>());
-    shape.reach = std::max(shape.reach, candidates[chosen].norm());
+  const Candidates candidates = make_candidates(mesh, shape, step, shape.inset * spacing);
+  for (const std::size_t chosen : select_poisson_disk(candidates.points, candidates.inward, kLeastDistance * spacing)) {
+    shape.samples.push_back(candidates.points[chosen].cast<float>());
+    shape.inward.push_back(candidates.inward[chosen].cast<float>());
+    shape.reach = std::max(shape.reach, candidates.points[chosen].norm());
   }
   if (shape.samples.empty()) shape.faults.push_back("no place for boundary samples: the body is too small or too thin");
   return shape;
 }
 
-BodyShape load_body_shape(const std::string& path, const MeshOptions& options, double spacing, double inset) {
+BodyShape load_body_shape(const std::string& path, const MeshOptions& options, double spacing,
+                          std::optional<double> inset) {
   MeshFile file = read_mesh(path, options);
   BodyShape shape;
   if (!file.faults.empty()) {

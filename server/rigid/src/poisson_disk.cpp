@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "physics/boundary.hpp"
 #include "waves/splitmix.hpp"
 
 namespace pelagos {
@@ -84,7 +85,8 @@ std::vector<std::uint32_t> shuffle(std::size_t count) {
 
 }  // namespace
 
-std::vector<std::size_t> select_poisson_disk(std::span<const Eigen::Vector3d> points, double least_distance) {
+std::vector<std::size_t> select_poisson_disk(std::span<const Eigen::Vector3d> points,
+                                             std::span<const Eigen::Vector3d> sides, double least_distance) {
   std::vector<std::size_t> chosen;
   if (points.empty()) return chosen;
   const PointGrid grid(points, least_distance);
@@ -94,7 +96,8 @@ std::vector<std::size_t> select_poisson_disk(std::span<const Eigen::Vector3d> po
     if (covered[next] != 0) continue;
     chosen.push_back(next);
     grid.for_each_near(points[next], least_distance, [&](std::size_t p) {
-      if ((points[p] - points[next]).squaredNorm() < least_squared) covered[p] = 1;
+      if ((points[p] - points[next]).squaredNorm() < least_squared && !are_opposed(sides[p], sides[next]))
+        covered[p] = 1;
     });
   }
   return chosen;

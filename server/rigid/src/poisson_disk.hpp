@@ -12,7 +12,9 @@ namespace pelagos {
 /// a taken one is too near. So do Bowers et al. (2010, "Parallel Poisson disk sampling with spectrum analysis on
 /// surfaces"), who throw from many cells at once; here one after another in a fixed order, so that the same cloud gives
 /// the same set.
+/// @param sides  of each point: points whose sides are opposed (are_opposed) need no distance from each other
 [[nodiscard]] std::vector<std::size_t> select_poisson_disk(std::span<const Eigen::Vector3d> points,
+                                                           std::span<const Eigen::Vector3d> sides,
                                                            double least_distance);
 
 }  // namespace pelagos

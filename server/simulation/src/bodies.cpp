@@ -32,9 +32,9 @@ bool is_over(const Region& tank, const Eigen::Vector3d& place) {
 /// The body's shape from its file or primitive.
 BodyShape shape_of(const BodySettings& settings, double spacing) {
   const MeshKind kind = settings.open ? MeshKind::kOpen : MeshKind::kClosed;
-  const double inset = settings.sample_inset.value_or(default_sample_inset(settings));
-  if (settings.primitive) return make_body_shape(make_mesh(*settings.primitive), spacing, inset, kind);
-  return load_body_shape(settings.mesh_file, {settings.mesh_scale, settings.mesh_axes, kind}, spacing, inset);
+  if (settings.primitive) return make_body_shape(make_mesh(*settings.primitive), spacing, settings.sample_inset, kind);
+  return load_body_shape(settings.mesh_file, {settings.mesh_scale, settings.mesh_axes, kind}, spacing,
+                         settings.sample_inset);
 }
 
 FreeBody::Freedom freedom_of(BodyDrive drive) {
@@ -57,6 +57,8 @@ bool lies_in(const Box& block, double spacing, const Hold& hold, const BodyState
   }
   return true;
 }
+
+constexpr double kWaterClearance = 1.0;  ///< spacings of water at rest from a hull's samples
 
 constexpr double kHullOverlap = 0.5;  ///< spacings that a body may stand in another's hull at the start
 
@@ -106,8 +108,10 @@ void Bodies::make_contacts(const Scene& scene) {
   BodyContacts& contacts = contacts_.emplace(scene.particle_spacing);
   for (int axis = 0; axis < 3; ++axis) {
     if (scene.tank_edges[static_cast<std::size_t>(axis)] == TankEdge::kPeriodic) continue;
-    contacts.add_plane(scene.tank.min, Eigen::Vector3d::Unit(axis));
-    contacts.add_plane(scene.tank.max, -Eigen::Vector3d::Unit(axis));
+    const bool is_symmetric = axis < 2 && scene.tank_edges[static_cast<std::size_t>(axis)] == TankEdge::kMirror;
+    const auto face = is_symmetric ? BodyContacts::Face::kSmooth : BodyContacts::Face::kRough;
+    contacts.add_plane(scene.tank.min, Eigen::Vector3d::Unit(axis), face);
+    contacts.add_plane(scene.tank.max, -Eigen::Vector3d::Unit(axis), face);
   }
   for (Body& body : bodies_) {
     if (body.free)
@@ -123,7 +127,7 @@ void Bodies::add_samples(TaskPool& pool, const Scene& scene, double support_radi
   body.first_sample = volumes_.size();
   std::vector<Float4> samples;
   for (const Eigen::Vector3f& sample : body.shape.samples) samples.push_back({sample.x(), sample.y(), sample.z(), 0});
-  assign_boundary_volumes(pool, support_radius, samples);
+  assign_boundary_volumes(pool, support_radius, body.shape.inward, kWaterClearance * spacing_, samples);
   for (const Float4& sample : samples) {
     if (body.moves()) {
       volumes_.push_back(sample.w);
@@ -223,6 +227,9 @@ std::vector<std::string> Bodies::hold_notes(double level) const {
           fmt::format("{}: its hold of {:.3g} m^3 starts dry, {:.3g} m^3 of it below the level of the water (hold: "
                       "FLOODED fills it)",
                       name, body.hold.volume(), below));
+    else if (body.moves())
+      notes.push_back(
+          fmt::format("{}: its hold of {:.3g} m^3 starts dry, above the level of the water", name, body.hold.volume()));
     else
       continue;
     const double plating = 2.0 * body.shape.displacement / mesh_area(body.shape.mesh);

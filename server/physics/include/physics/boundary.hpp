@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <span>
 #include <vector>
@@ -21,6 +22,20 @@ namespace pelagos {
 /// Volumes of boundary samples, V_b = 1 / sum_b' W_bb' over the samples of the same body (Akinci et al. 2012, eq. 4, in
 /// volume form); written to w.
 void assign_boundary_volumes(TaskPool& pool, double support_radius, std::span<Float4> samples);
+
+/// Whether two directions into a body belong to the two sides of a plate. A zero direction belongs to both sides.
+template <class Vector>
+[[nodiscard]] bool are_opposed(const Vector& a, const Vector& b) {
+  return a.dot(b) < -0.5F;
+}
+
+/// The same where plates have a layer of samples on each of their sides. Water that stands `clearance` away from the
+/// near layer must feel what it feels before a single one, so a sample of the far layer counts by the part of itself
+/// that reaches that water: wholly where the layers fall together, not at all where the far one is out of reach.
+/// @param inward     of each sample, unit, from its side of the surface, or zero
+/// @param clearance  m, of the water from the layer, > 0
+void assign_boundary_volumes(TaskPool& pool, double support_radius, std::span<const Eigen::Vector3f> inward,
+                             double clearance, std::span<Float4> samples);
 
 /// Particles of a block of water: at spacing, 2 spacing, ... from its lower corner, size / spacing - 1 along each axis.
 [[nodiscard]] std::array<std::size_t, 3> block_particles(const std::array<double, 3>& size, double spacing);

@@ -27,8 +27,10 @@ class BodyContacts {
   BodyContacts(BodyContacts&&) noexcept;
   BodyContacts& operator=(BodyContacts&&) noexcept;
 
+  /// Whether a plane rubs. A mirrored side of the tank does not: it stands for the other half of what touches it.
+  enum class Face { kRough, kSmooth };
   /// The half space behind a plane through `point` (m) is solid. @param normal  unit, into the free side
-  void add_plane(const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
+  void add_plane(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, Face face = Face::kRough);
   /// Scenery, at its place for good; a closed mesh or an open one.
   void add_scenery(const TriangleMesh& mesh, const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation);
   /// A hull that is moved by others and gives way to nothing. Returns its number among the moving ones.

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ namespace pelagos {
 /// A body as the water meets it: boundary samples below its surface, and the surface itself. All in body axes.
 struct BodyShape {
   std::vector<Eigen::Vector3f> samples;  ///< m
+  double inset = 0.0;                    ///< spacings, of the samples
+  std::vector<Eigen::Vector3f> inward;   ///< of each sample, unit, from its side of the surface; zero: it serves both
   MeshKind kind = MeshKind::kClosed;
   TriangleMesh mesh;                 ///< m; of a closed one the outside of its parts' union (unite_parts)
   MassProperties solid;              ///< of a closed mesh, without its cavities; zero for an open one
@@ -40,7 +43,8 @@ struct BodyShape {
 
 /// Samples a mesh for boundary particles.
 /// Samples lie on the inner parallel surface, `inset` spacings below the mesh (none: hulls float 11 to 15 % too high;
-/// see default_sample_inset). Where the body is thinner than twice the inset, they lie in its middle. They are
+/// see default_sample_inset). Where the body is thinner than twice the inset, they lie in its middle; a thicker plate
+/// has a whole layer for each of its sides. Each layer is
 /// a maximal Poisson-disk set of a fine cloud of candidates (dart throwing as Bowers et al. 2010, "Parallel Poisson
 /// disk sampling with spectrum analysis on surfaces", in a fixed random order): no two closer than 0.8 spacings, no
 /// hole between them wider than that, about one for each spacing^2 as on the tank's walls. The same mesh gives the same
@@ -50,14 +54,14 @@ struct BodyShape {
 /// one
 ///                 may overlap, touch and nest: the shape is that of their union
 /// @param spacing  particle spacing d, m, > 0
-/// @param inset    in spacings, >= 0
+/// @param inset    in spacings, >= 0; nothing: default_sample_inset
 /// @param origin   to name the mesh's triangles in faults and notes
-[[nodiscard]] BodyShape make_body_shape(const TriangleMesh& mesh, double spacing, double inset,
+[[nodiscard]] BodyShape make_body_shape(const TriangleMesh& mesh, double spacing, std::optional<double> inset,
                                         MeshKind kind = MeshKind::kClosed, const MeshOrigin& origin = {});
 
 /// The same from a file (read_mesh); the faults of the file become those of the shape.
 [[nodiscard]] BodyShape load_body_shape(const std::string& path, const MeshOptions& options, double spacing,
-                                        double inset);
+                                        std::optional<double> inset);
 
 /// Places the samples where the body is: position relative to `origin` (m, world) and velocity of the wall (m/s).
 /// Writes x, y, z of the first samples.size() entries; w is left alone.

@@ -176,7 +176,7 @@ struct BodySettings {
   double mesh_scale = 1.0;             ///< m per unit of the file
   MeshAxes mesh_axes = MeshAxes::kXForwardZUp;
   bool open = false;  ///< the mesh is one side of something larger; static bodies only
-  /// Samples lie this many spacings inside the surface; nothing: default_sample_inset.
+  /// Samples lie this many spacings inside the surface; nothing: by the mesh.
   std::optional<double> sample_inset;
   BodyDrive drive = BodyDrive::kPose;
   HoldStart hold = HoldStart::kDefault;
@@ -193,12 +193,6 @@ struct FarSeaSettings {
   double wave_to_deg = 0.0;  ///< clockwise from north
   std::uint32_t components = 24;
 };
-
-/// In spacings. Water lies in layers along flat faces and stands further off curved ones: calibrated on the drafts of
-/// free boxes, and on the buoyancy of held spheres and a ship's hull (1.04 to 1.07 of it with the boxes' value).
-[[nodiscard]] inline double default_sample_inset(const BodySettings& body) {
-  return body.primitive && std::holds_alternative<BoxShape>(*body.primitive) ? 0.53 : 0.61;
-}
 
 /// World origin on the WGS84 ellipsoid, degrees and metres.
 struct GeodeticOrigin {
