@@ -19,15 +19,17 @@ namespace pelagos {
 //   (J v)_i  = sum_j (v_i - v_j).a_ij + sum_b (v_i - v_b).a_ib = d delta_i / dt             paper eq. 5, other sign
 //   (J'p)_i  = p_i S_i - sum_j p_j a_ji,   S_i = sum_j a_ij + sum_b a_ib        paper eq. 20 and 30; adjoint of J
 //   alpha_i  = 1 / (|S_i|^2 + sum_j |a_ij|^2) = 1 / diag(J J')
+// The gradients a_ij are one of two:
+//   plain      a_ij = V grad W_ij, so that -a_ji = a_ij
+//   corrected  a_ij = V B_i grad W_ij, where B_i is the inverse of the particle's moment matrix (Bonet and Lok 1999):
+//              J is then exact for every velocity field that is linear in space, at the surface and in disorder too.
+// In both cases J' is the adjoint of J, so the pressure neither adds nor removes energy.
 // With two phases J' p is weighed by the mobilities w_i (see phases.hpp), and alpha_i is divided by the largest w of
-// the particle and its neighbours: a bound of 1 / diag(J W J') from below, which stays stable at any ratio of
-// densities. with the plain gradients a_ij = V grad W_ij (then -a_ji = a_ij), or the corrected ones, a_ij = V B_i grad
-// W_ij, where B_i is the inverse of the particle's moment matrix: J is then exact for every linear field of velocities,
-// at the surface and in disorder too (Bonet and Lok 1999), and J' is still its adjoint, so nothing is gained or lost by
-// the pressure. The paper prints alpha with the opposite sign (eq. 19, 37); with the forces of eq. 20 it has to be
-// positive. J does not change while a constraint is solved, so its gradients are computed once and kept in half
-// precision (relative error 5e-4; both members of a pair round the same numbers: momentum is conserved to rounding all
-// the same). Every pass writes only the entries of its own particles: the same bits for any number of threads. Arrays
+// the particle and its neighbours. That is a lower bound of 1 / diag(J W J'), stable at any ratio of densities.
+// The paper prints alpha with the opposite sign (eq. 19, 37); with the forces of eq. 20 it has to be positive.
+// J does not change while a constraint is solved, so its gradients are computed once and kept, in half precision where
+// the machine has it (relative error 5e-4; both particles of a pair round the same numbers, so momentum is conserved to
+// rounding). Every pass writes only the entries of its own particles: the same bits for any number of threads. Arrays
 // that a pass gathers hold the images of mirrored and periodic faces behind the particles (see ghosts.hpp) and must be
 // up to date there.
 
@@ -73,11 +75,11 @@ void compute_density(TaskPool& pool, const PairData& data, std::span<float> delt
 
 /// The same, and the correction matrices:
 ///   M_i = -sum_j V x_ij grad W_ij^T - sum_b V_b x_ib grad W_ib^T,   B_i = w M_i^-1 + (1 - w) I,
-///   w = smoothstep((det M_i - 0.05) / 0.15) max(0, 1 - 10 sum_b V_b W_ib), so that particles with hardly any
-///   neighbours
-/// stay uncorrected, and those at sampled walls too: the corrected J is the change of no density, so a flow that it
-/// lets pass may compress the water, and between walls the repair then lifts for ever what runs down along them (still
-/// water 15 layers deep gained 5 % of its energy, 60 layers 12 %; with this 0.1 %).
+///   w = smoothstep((det M_i - 0.05) / 0.15) max(0, 1 - 10 sum_b V_b W_ib).
+/// w is 0 for particles with hardly any neighbours, whose M is nearly singular. It is 0 at sampled walls too: the
+/// corrected J v is not the rate of the sampled density, so a flow with J v = 0 may compress the water. Between walls
+/// the repair would then lift the water again and again as it runs down along them: still water 15 layers deep gains 5
+/// % of its energy and 60 layers 12 %; with w = 0 there it gains 0.1 %.
 void compute_corrections(TaskPool& pool, const PairData& data, std::span<float> delta, Gradients& gradients,
                          Corrections& corrections);
 
