@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pressure_kernels.hpp"
 #include "solve_passes.hpp"
 
 namespace pelagos {
@@ -56,15 +57,7 @@ class Solver {
   Totals start(std::span<const float> memory, float share) {
     const float factor = share * problem_.warm_factor;
     const bool warm = factor > 0.0F;
-    const float* alpha = arrays_.alpha;
-    pool_.for_each_range(count_, kBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const bool carry = warm && alpha[i] > 0.0F && problem_.source[i] > kThinnest;
-        work_.pressure[i] = work_.start[i] = carry ? factor * memory[i] : 0.0F;
-        work_.direction[i] = work_.image[i] = 0.0F;
-        if (!warm) work_.displacement[i] = {};
-      }
-    });
+    start_pressure(pool_, {factor, kThinnest, problem_.gradients->alpha, problem_.source, memory}, count_, work_);
     if (warm)
       refresh();
     else
@@ -90,38 +83,25 @@ class Solver {
 
   /// One damped Jacobi sweep with the accumulated pressure clamped at zero.
   Totals jacobi(float damping) {
-    pool_.for_each_range(count_, kBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        work_.pressure[i] = std::max(0.0F, work_.pressure[i] + damping * arrays_.alpha[i] * work_.residual[i]);
-    });
+    sweep(pool_, damping, problem_.gradients->alpha, first(work_.residual), first(work_.pressure));
     refresh();
     return judge_all();
   }
   /// The same with every increment clamped: what has been pressed is never released.
   Totals clamped_jacobi(float damping) {
-    pool_.for_each_range(count_, kBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        work_.pressure[i] += damping * arrays_.alpha[i] * std::max(0.0F, work_.residual[i]);
-    });
+    sweep_one_sided(pool_, damping, problem_.gradients->alpha, first(work_.residual), first(work_.pressure));
     refresh();
     return judge_compression();
   }
   /// The error of a one-sided stop: the mean of max(r, 0).
   Totals judge_compression() {
-    return reduce(pool_, count_, [&](std::size_t begin, std::size_t end) {
-      SolveSums sums;
-      for (std::size_t i = begin; i < end; ++i) sums.error += std::max(0.0F, work_.residual[i]);
-      return sums;
-    });
+    Totals totals;
+    totals.error = sum_positive(pool_, first(work_.residual));
+    return totals;
   }
 
   void remember(std::span<float> memory) const {
-    pool_.for_each_range(count_, kBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const float p = work_.pressure[i], start = work_.start[i];
-        memory[i] = start > 0.0F ? p + kMemory * (start - p) : p;
-      }
-    });
+    remember_pressure(pool_, kMemory, first(work_.pressure), work_.start, memory);
   }
 
   [[nodiscard]] double mean_error(const Totals& totals) const {
@@ -129,6 +109,8 @@ class Solver {
   }
 
  private:
+  /// The entries of the particles.
+  [[nodiscard]] std::span<float> first(std::vector<float>& values) const { return {values.data(), count_}; }
   /// u = -J'p, rate = J u.
   void apply(std::span<float> pressure, std::span<Float4> displacement, std::span<float> rate) {
     const PairData& data = *problem_.data;

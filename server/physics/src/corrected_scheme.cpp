@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constraint_sources.hpp"
 #include "fluid_stages.hpp"
+#include "vector_kernels.hpp"
 
 namespace pelagos {
 
@@ -49,11 +51,8 @@ void solve_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& re
   FluidParticles& p = state.particles;
   const PairData data = pair_data(state);
   rate_of_density(pool, state, report);
-  const auto step = static_cast<float>(dt);
-  for_each_particle(pool, state, [&](std::size_t i) {
-    const float compressed = std::max(p.density[i] - 1.0F - kCompressionAllowed, 0.0F);
-    state.source[i] = step * state.source[i] + kCompressionShare * compressed;
-  });
+  set_divergence_and_excess(pool, static_cast<float>(dt), kCompressionAllowed, kCompressionShare,
+                            of_particles(state, p.density), state.source);
   const ConstraintProblem problem = make_problem(state, data, warm_factor(state, dt), BodiesIn::kAnswer);
   report.divergence = solve_constraint(pool, problem, state.parameters.divergence, p.divergence_pressure, state.work,
                                        report.pair_passes);
@@ -74,11 +73,7 @@ void filter_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& r
   report.pair_passes += 2;
   const double rate = q.filter * std::sqrt((q.gravity > 0.0 ? q.gravity : kStandardGravity) / q.spacing);
   const auto factor = static_cast<float>(std::min(dt * rate, kLargestFilterStep));
-  for_each_particle(pool, state, [&](std::size_t i) {
-    const Float4& change = state.filter_change[i];
-    Float4& v = p.velocity[i];
-    v = {v.x + factor * change.x, v.y + factor * change.y, v.z + factor * change.z, v.w};
-  });
+  add_scaled_vectors(pool, factor, of_particles(state, state.filter_change), p.velocity);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "constraint_sources.hpp"
 #include "fluid_stages.hpp"
 
 namespace pelagos {
@@ -24,9 +25,7 @@ void solve_predicted_density(TaskPool& pool, FluidState& state, double dt, StepR
   FluidParticles& p = state.particles;
   const PairData data = pair_data(state);
   rate_of_density(pool, state, report);
-  const auto step = static_cast<float>(dt);
-  for_each_particle(pool, state,
-                    [&](std::size_t i) { state.source[i] = step * state.source[i] + p.density[i] - 1.0F; });
+  set_predicted_compression(pool, static_cast<float>(dt), of_particles(state, p.density), state.source);
   const ConstraintProblem problem = make_problem(state, data, warm_factor(state, dt), BodiesIn::kAnswer);
   report.density =
       solve_constraint(pool, problem, state.parameters.density, p.density_pressure, state.work, report.pair_passes);

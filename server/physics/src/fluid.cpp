@@ -9,6 +9,7 @@
 #include "fluid_stages.hpp"
 #include "physics/boundary.hpp"
 #include "solve_passes.hpp"
+#include "vector_kernels.hpp"
 
 namespace pelagos {
 
@@ -125,7 +126,7 @@ double largest_viscosity(const PhasePair& pair) {
 
 void set_gravity(TaskPool& pool, FluidState& state) {
   const Float4 gravity{0.0F, 0.0F, static_cast<float>(-state.parameters.gravity), 0.0F};
-  for_each_particle(pool, state, [&](std::size_t i) { state.particles.acceleration[i] = gravity; });
+  fill_vectors(pool, gravity, of_particles(state, state.particles.acceleration));
 }
 
 /// Two phases: gravity and viscosity, explicit or implicit; densities where they are open.

@@ -1,8 +1,9 @@
 #include "fluid_stages.hpp"
 
 #include <algorithm>
-#include <cassert>
 
+#include "constraint_sources.hpp"
+#include "moving_walls.hpp"
 #include "solve_passes.hpp"
 
 namespace pelagos {
@@ -11,39 +12,6 @@ namespace {
 
 /// A correction never exceeds this share of the spacing.
 constexpr double kLargestCorrection = 0.25;
-
-/// The body that a moving sample belongs to; -1: none.
-std::int32_t body_of_sample(const BodyCoupling& coupling, std::size_t sample) {
-  for (std::size_t k = 0; k < coupling.bodies.size(); ++k) {
-    const CoupledBody& body = coupling.bodies[k];
-    if (sample >= body.first_sample && sample - body.first_sample < body.sample_count)
-      return static_cast<std::int32_t>(k);
-  }
-  return -1;
-}
-
-void sort_moving_walls(TaskPool& pool, FluidState& state) {
-  BoundaryParticles& walls = state.walls;
-  const std::size_t moving = state.moving_position.size();
-  assert(state.moving_velocity.size() == moving);
-  state.walls_move = false;
-  if (moving == 0) return;
-  state.moving_grid.sort(pool, state.moving_position, state.order);
-  walls.count = state.static_walls + moving;
-  walls.position.resize(padded_count(walls.count));
-  walls.velocity.resize(padded_count(walls.count));
-  std::vector<std::int32_t>& owner = state.coupling.sample_body;
-  owner.resize(moving);
-  for (std::size_t k = 0; k < moving; ++k) {
-    const std::size_t sample = state.order[k];
-    owner[k] = body_of_sample(state.coupling, sample);
-    walls.position[state.static_walls + k] = state.moving_position[sample];
-    walls.velocity[state.static_walls + k] = owner[k] < 0 ? state.moving_velocity[sample] : Float4{};
-    state.walls_move = state.walls_move || owner[k] < 0;
-  }
-  for (std::size_t k = walls.count; k < walls.position.size(); ++k) walls.position[k] = kFarRecord;
-  for (std::size_t k = walls.count; k < walls.velocity.size(); ++k) walls.velocity[k] = {};
-}
 
 }  // namespace
 
@@ -164,7 +132,7 @@ ConstraintProblem make_problem(const FluidState& state, const PairData& data, fl
 void solve_density(TaskPool& pool, FluidState& state, float warm_factor, BodiesIn bodies, StepReport& report) {
   FluidParticles& p = state.particles;
   const PairData data = pair_data(state);
-  for_each_particle(pool, state, [&](std::size_t i) { state.source[i] = p.density[i] - 1.0F; });
+  set_compression(pool, of_particles(state, p.density), state.source);
   const ConstraintProblem problem = make_problem(state, data, warm_factor, bodies);
   report.density =
       solve_constraint(pool, problem, state.parameters.density, p.density_pressure, state.work, report.pair_passes);
@@ -172,31 +140,18 @@ void solve_density(TaskPool& pool, FluidState& state, float warm_factor, BodiesI
 
 std::uint32_t apply_correction(TaskPool& pool, FluidState& state, const CorrectionTargets& targets) {
   FluidParticles& p = state.particles;
-  std::vector<std::uint32_t> bounded((p.count + kPointBlock - 1) / kPointBlock);
   const auto bound = static_cast<float>(kLargestCorrection * state.parameters.spacing);
   const float inverse_span = targets.span > 0.0 ? static_cast<float>(1.0 / targets.span) : 0.0F;
   Float4* position = targets.positions ? p.position.data() : nullptr;
   Float4* velocity = targets.span > 0.0 ? p.velocity.data() : nullptr;
-  pool.for_each_range(p.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
-    bounded[begin / kPointBlock] =
-        apply_displacement(begin, end, bound, inverse_span, state.work.displacement.data(), position, velocity);
+  return sum_blocks(pool, p.count, [&](std::size_t begin, std::size_t end) {
+    return apply_displacement(begin, end, bound, inverse_span, state.work.displacement.data(), position, velocity);
   });
-  std::uint32_t total = 0;
-  for (const std::uint32_t b : bounded) total += b;
-  return total;
 }
 
 double mean_compression(TaskPool& pool, const FluidState& state) {
   const FluidParticles& p = state.particles;
-  std::vector<double> partial((p.count + kPointBlock - 1) / kPointBlock);
-  pool.for_each_range(p.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t i = begin; i < end; ++i) sum += static_cast<double>(std::max(p.density[i] - 1.0F, 0.0F));
-    partial[begin / kPointBlock] = sum;
-  });
-  double total = 0.0;
-  for (const double sum : partial) total += sum;
-  return total / static_cast<double>(std::max<std::size_t>(p.count, 1));
+  return sum_compression(pool, of_particles(state, p.density)) / static_cast<double>(std::max<std::size_t>(p.count, 1));
 }
 
 void rate_of_density(TaskPool& pool, FluidState& state, StepReport& report) {
@@ -212,12 +167,9 @@ void solve_divergence(TaskPool& pool, FluidState& state, double dt, StepReport& 
   const PairData data = pair_data(state);
   const SolveSettings& settings = state.parameters.divergence;
   rate_of_density(pool, state, report);
-  const auto step = static_cast<float>(dt);
   // Literal: only what closes in is a source (Bender and Koschier 2015).
   const bool clamped = settings.method == SolveMethod::kPaper;
-  for_each_particle(pool, state, [&](std::size_t i) {
-    state.source[i] = step * (clamped ? std::max(state.source[i], 0.0F) : state.source[i]);
-  });
+  set_divergence(pool, static_cast<float>(dt), clamped, of_particles(state, state.source));
   const ConstraintProblem problem = make_problem(state, data, 0.0F, BodiesIn::kAnswer);
   report.divergence = solve_constraint(pool, problem, settings, p.divergence_pressure, state.work, report.pair_passes);
   apply_correction(pool, state, {false, dt});

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
+#include <vector>
 
+#include "particle_blocks.hpp"
 #include "physics/fluid.hpp"
 
 namespace pelagos {
@@ -32,9 +35,15 @@ void refresh_density(TaskPool& pool, FluidState& state, StepReport& report);
 /// The view that pair passes read.
 [[nodiscard]] PairData pair_data(const FluidState& state);
 
-/// Calls f(i) for every particle.
-template <class F>
-void for_each_particle(TaskPool& pool, const FluidState& state, F&& f);
+/// The entries of the particles, without the padding.
+template <class T>
+std::span<T> of_particles(const FluidState& state, std::vector<T>& values) {
+  return {values.data(), state.particles.count};
+}
+template <class T>
+std::span<const T> of_particles(const FluidState& state, const std::vector<T>& values) {
+  return {values.data(), state.particles.count};
+}
 
 /// (dt / last dt)^2, the factor on carried pressures; 0 before the first step. Pressures follow dt^2, but the repair of
 /// density in them does not: after a sliver of a step it would be blown up, so the ratio is bounded.
@@ -94,9 +103,6 @@ inline constexpr double kStandardGravity = 9.81;
 /// The filter's explicit step is stable up to about 1; it never takes more than this share of the noise at once.
 inline constexpr double kLargestFilterStep = 0.5;
 
-/// Particles in one block of pointwise work.
-inline constexpr std::size_t kPointBlock = 2048;
-
 /// After a step that was cut short, corrections act as a velocity over no less than the last step by this ratio.
 inline constexpr double kLargestStepRatio = 2.0;
 
@@ -112,13 +118,6 @@ void permute(TaskPool& pool, std::span<const std::uint32_t> order, std::vector<T
             values.begin() + static_cast<std::ptrdiff_t>(padded),
             scratch.begin() + static_cast<std::ptrdiff_t>(order.size()));
   values.swap(scratch);
-}
-
-template <class F>
-void for_each_particle(TaskPool& pool, const FluidState& state, F&& f) {
-  pool.for_each_range(state.particles.count, kPointBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) f(i);
-  });
 }
 
 }  // namespace pelagos

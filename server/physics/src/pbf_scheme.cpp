@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "fluid_stages.hpp"
+#include "pressure_kernels.hpp"
 
 namespace pelagos {
 
@@ -25,9 +26,7 @@ void iterate_positions(TaskPool& pool, FluidState& state, double dt, StepReport&
     if (solve.converged && solve.iterations >= settings.min_iterations) break;
     if (solve.iterations >= settings.max_iterations) break;
     const PairData data = pair_data(state);
-    for_each_particle(pool, state, [&](std::size_t i) {
-      state.work.pressure[i] = damping * state.gradients.alpha[i] * std::max(p.density[i] - 1.0F, 0.0F);
-    });
+    press_compressed(pool, damping, state.gradients.alpha, of_particles(state, p.density), state.work.pressure);
     if (data.ghosts) extend_scalars(pool, *data.ghosts, state.work.pressure);
     apply_pressure(pool, data, state.gradients, state.work.pressure, state.work.displacement);
     report.capped = std::max(report.capped, apply_correction(pool, state, {true, dt}));

@@ -26,6 +26,16 @@ void set_constants(const FluidParameters& parameters, PhasePair& pair) {
   pair.mixed_viscosity = static_cast<float>(harmonic_mean(water_viscosity, oil_viscosity));
 }
 
+/// position.w = 1 for the particles of the lighter phase, else 0, and the mobility of each.
+void mark_light(TaskPool& pool, std::span<const std::uint8_t> phase, std::uint8_t light, PhasePair& pair,
+                std::span<Float4> position) {
+  for_each_entry(pool, phase.size(), [&](std::size_t i) {
+    const bool is_light = phase[i] == light;
+    position[i].w = is_light ? 1.0F : 0.0F;
+    pair.mobility[i] = is_light ? pair.light_mobility : pair.heavy_mobility;
+  });
+}
+
 }  // namespace
 
 void mark_phases(TaskPool& pool, FluidState& state) {
@@ -40,11 +50,7 @@ void mark_phases(TaskPool& pool, FluidState& state) {
   set_constants(state.parameters, pair);
   pair.mobility.resize(padded_count(p.count));
   const std::uint8_t light = oil_is_lighter(state.parameters) ? kOilPhase : kWaterPhase;
-  for_each_particle(pool, state, [&](std::size_t i) {
-    const bool is_light = p.phase[i] == light;
-    p.position[i].w = is_light ? 1.0F : 0.0F;
-    pair.mobility[i] = is_light ? pair.light_mobility : pair.heavy_mobility;
-  });
+  mark_light(pool, of_particles(state, p.phase), light, pair, p.position);
 }
 
 }  // namespace pelagos

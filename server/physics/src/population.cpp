@@ -64,7 +64,7 @@ void add_particles(FluidState& state, std::span<const Float4> positions, std::sp
 std::size_t remove_particles(TaskPool& pool, FluidState& state, const std::function<bool(std::size_t)>& unwanted) {
   FluidParticles& p = state.particles;
   std::vector<std::uint8_t> gone(p.count);
-  for_each_particle(pool, state, [&](std::size_t i) { gone[i] = unwanted(i) ? 1 : 0; });
+  for_each_entry(pool, p.count, [&](std::size_t i) { gone[i] = unwanted(i) ? 1 : 0; });
   std::vector<std::uint32_t> kept;
   kept.reserve(p.count);
   for (std::size_t i = 0; i < p.count; ++i)

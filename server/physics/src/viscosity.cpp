@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "fluid_stages.hpp"
+#include "vector_kernels.hpp"
 
 namespace pelagos {
 
@@ -15,31 +16,6 @@ namespace {
 constexpr double kTolerance = 1e-4;  ///< of the residual's norm, relative to the first
 constexpr int kMostIterations = 50;
 
-/// sum_i a_i.b_i / w_i, block by block in order.
-double inner_product(TaskPool& pool, const FluidState& state, const std::vector<Float4>& a,
-                     const std::vector<Float4>& b) {
-  const std::size_t count = state.particles.count;
-  std::vector<double> partial((count + kPointBlock - 1) / kPointBlock);
-  pool.for_each_range(count, kPointBlock, [&](std::size_t begin, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t i = begin; i < end; ++i)
-      sum += static_cast<double>((a[i].x * b[i].x + a[i].y * b[i].y + a[i].z * b[i].z) / state.phases.mobility[i]);
-    partial[begin / kPointBlock] = sum;
-  });
-  double total = 0.0;
-  for (const double sum : partial) total += sum;
-  return total;
-}
-
-/// to = factor * a + b in x, y and z; w is zero.
-void combine(TaskPool& pool, const FluidState& state, double factor, const std::vector<Float4>& a,
-             const std::vector<Float4>& b, std::vector<Float4>& to) {
-  const auto f = static_cast<float>(factor);
-  for_each_particle(pool, state, [&](std::size_t i) {
-    to[i] = {f * a[i].x + b[i].x, f * a[i].y + b[i].y, f * a[i].z + b[i].z, 0.0F};
-  });
-}
-
 }  // namespace
 
 void solve_viscosity(TaskPool& pool, FluidState& state, double dt, StepReport& report) {
@@ -49,24 +25,32 @@ void solve_viscosity(TaskPool& pool, FluidState& state, double dt, StepReport& r
   &image = state.viscosity.image;
   const std::size_t size = data.ghosts ? extended_count(p.count, *data.ghosts) : padded_count(p.count);
   for (std::vector<Float4>* v : {&residual, &direction, &image}) v->assign(size, {});
+  const std::span<const float> mobility = of_particles(state, state.phases.mobility);
+  const auto inner_product = [&](const std::vector<Float4>& a, const std::vector<Float4>& b) {
+    return weighted_product(pool, a, b, mobility);
+  };
+  const auto combine = [&](double factor, const std::vector<Float4>& a, const std::vector<Float4>& b,
+                           std::vector<Float4>& to) {
+    combine_vectors(pool, static_cast<float>(factor), a, b, of_particles(state, to));
+  };
   const auto viscous_acceleration = [&](std::vector<Float4>& velocity, std::vector<Float4>& out) {
     if (data.ghosts) extend_vectors(pool, *data.ghosts, velocity);
     compute_phase_acceleration(pool, data, velocity, 0.0F, out);
     ++report.pair_passes;
   };
   viscous_acceleration(p.velocity, residual);
-  combine(pool, state, dt, residual, direction, residual);  // r = v_old - (1 - dt L) v_old
-  double square = inner_product(pool, state, residual, residual), beta = 0.0;
+  combine(dt, residual, direction, residual);  // r = v_old - (1 - dt L) v_old
+  double square = inner_product(residual, residual), beta = 0.0;
   const double first = square;
   SolveReport& solve = report.viscosity;
   while (square > kTolerance * kTolerance * first && solve.iterations < kMostIterations) {
-    combine(pool, state, beta, direction, residual, direction);
+    combine(beta, direction, residual, direction);
     viscous_acceleration(direction, image);
-    combine(pool, state, -dt, image, direction, image);
-    const double t = square / inner_product(pool, state, direction, image);
-    combine(pool, state, t, direction, p.velocity, p.velocity);
-    combine(pool, state, -t, image, residual, residual);
-    const double next = inner_product(pool, state, residual, residual);
+    combine(-dt, image, direction, image);
+    const double t = square / inner_product(direction, image);
+    combine(t, direction, p.velocity, p.velocity);
+    combine(-t, image, residual, residual);
+    const double next = inner_product(residual, residual);
     beta = next / square;
     square = next;
     ++solve.iterations;
