@@ -9,7 +9,6 @@ namespace pelagos {
 
 namespace {
 
-constexpr std::size_t kParticlesPerBlock = 4096;
 constexpr std::size_t kLayerRows = 2;    ///< one row jumps between layers with every wave, two hold their mean
 constexpr std::size_t kMostLayers = 64;  ///< deeper water gets thicker layers
 /// A layer with this share of its particles counts as full. Rest is 1 within 1 % (compression, settling); the layer at
@@ -40,45 +39,13 @@ CurrentDrive::CurrentDrive(const Scene& scene, const Eigen::Vector3d& origin, do
   acceleration_.resize(layer_.size());
 }
 
-/// What is above the water at rest belongs to the uppermost layer.
-std::size_t CurrentDrive::layer_of(float z) const {
-  const double place = (static_cast<double>(z) - floor_) / (spacing_ * static_cast<double>(layer_rows_));
-  return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(layer_.size() - 1)));
+CurrentLayers CurrentDrive::layers() const {
+  return {floor_, spacing_ * static_cast<double>(layer_rows_), layer_.size()};
 }
 
 void CurrentDrive::start(TaskPool& pool, const Current& current, double time, std::span<const Float4> position,
                          std::size_t count, std::span<Float4> velocity) const {
-  const CurrentSettings settings = current.settings_at(time);
-  pool.for_each_range(count, kParticlesPerBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const double part = settings.profile(floor_ + depth_ - static_cast<double>(position[i].z));
-      if (moves_[0]) velocity[i].x += static_cast<float>(part * settings.velocity.x());
-      if (moves_[1]) velocity[i].y += static_cast<float>(part * settings.velocity.y());
-    }
-  });
-}
-
-void CurrentDrive::sum_layers(TaskPool& pool, std::span<const Float4> position, std::span<const Float4> velocity,
-                              std::size_t count) {
-  const std::size_t layers = layer_.size(), blocks = (count + kParticlesPerBlock - 1) / kParticlesPerBlock;
-  partial_.assign(blocks * layers, {});
-  pool.for_each_range(count, kParticlesPerBlock, [&](std::size_t begin, std::size_t end) {
-    Sum* sums = partial_.data() + begin / kParticlesPerBlock * layers;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Float4& v = velocity[i];
-      if (!std::isfinite(position[i].z + v.x + v.y)) continue;
-      Sum& sum = sums[layer_of(position[i].z)];
-      sum.count += 1.0;
-      sum.velocity[0] += static_cast<double>(v.x);
-      sum.velocity[1] += static_cast<double>(v.y);
-    }
-  });
-  std::fill(layer_.begin(), layer_.end(), Sum{});
-  for (std::size_t n = 0; n < partial_.size(); ++n) {
-    Sum& layer = layer_[n % layers];
-    layer.count += partial_[n].count;
-    for (std::size_t axis = 0; axis < 2; ++axis) layer.velocity[axis] += partial_[n].velocity[axis];
-  }
+  add_profile(pool, current.settings_at(time), floor_ + depth_, moves_, position.first(count), velocity.first(count));
 }
 
 /// The lowest of the layers that share a mean: the highest full one under the surface's own.
@@ -123,23 +90,9 @@ void CurrentDrive::choose_accelerations(const Current& current, double time) {
 void CurrentDrive::add_acceleration(TaskPool& pool, const Current& current, double time,
                                     std::span<const Float4> position, std::span<const Float4> velocity,
                                     std::size_t count, std::span<Float4> acceleration) {
-  sum_layers(pool, position, velocity, count);
+  sum_layers(pool, layers(), position.first(count), velocity.first(count), partial_, layer_);
   choose_accelerations(current, time);
-  const double thickness = spacing_ * static_cast<double>(layer_rows_), last = static_cast<double>(layer_.size() - 1);
-  pool.for_each_range(count, kParticlesPerBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const double place = (static_cast<double>(position[i].z) - floor_) / thickness - 0.5;
-      if (!std::isfinite(place)) continue;
-      const double above = std::clamp(place, 0.0, last);
-      const auto k = static_cast<std::size_t>(above), next = std::min(k + 1, layer_.size() - 1);
-      const double part = above - static_cast<double>(k);
-      const auto between = [&](std::size_t axis) {
-        return static_cast<float>((1.0 - part) * acceleration_[k][axis] + part * acceleration_[next][axis]);
-      };
-      if (moves_[0]) acceleration[i].x += between(0);
-      if (moves_[1]) acceleration[i].y += between(1);
-    }
-  });
+  add_between_layers(pool, layers(), acceleration_, moves_, position.first(count), acceleration.first(count));
 }
 
 }  // namespace pelagos

@@ -8,6 +8,7 @@
 
 #include "physics/particles.hpp"
 #include "physics/task_pool.hpp"
+#include "simulation/current_layers.hpp"
 #include "values/current.hpp"
 #include "values/scene.hpp"
 
@@ -49,14 +50,8 @@ class CurrentDrive {
 
  private:
   using Vector2 = std::array<double, 2>;
-  struct Sum {
-    double count = 0.0;
-    Vector2 velocity{0.0, 0.0};
-  };
   [[nodiscard]] double full_row(const Scene& scene, std::size_t particles) const;
-  [[nodiscard]] std::size_t layer_of(float z) const;
-  void sum_layers(TaskPool& pool, std::span<const Float4> position, std::span<const Float4> velocity,
-                  std::size_t count);
+  [[nodiscard]] CurrentLayers layers() const;
   [[nodiscard]] std::size_t first_shared_layer() const;
   [[nodiscard]] double mean_profile(const CurrentSettings& current, std::size_t layer) const;
   void choose_accelerations(const Current& current, double time);
@@ -69,8 +64,8 @@ class CurrentDrive {
   std::size_t layer_rows_ = 2;  ///< rows of a layer
   double full_ = 1.0;           ///< particles of a full layer
 
-  std::vector<Sum> partial_;           ///< [blocks][layers]
-  std::vector<Sum> layer_;             ///< [layers]
+  std::vector<LayerSum> partial_;      ///< [blocks][layers]
+  std::vector<LayerSum> layer_;        ///< [layers]
   std::vector<Vector2> acceleration_;  ///< [layers], m/s^2
 };
 
