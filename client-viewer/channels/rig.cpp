@@ -202,12 +202,32 @@ std::string Rig::channel_names() const {
   return names;
 }
 
+namespace {
+
+/// @param place  bytes up to where the reader stopped, 1 for the first
+RigError syntax_error(const std::string& file_name, const std::string& text, std::size_t place) {
+  const std::string allowed = "; allowed: JSON with mount and channels as docs/viewer.md shows them";
+  const std::size_t at = std::min(place > 0 ? place - 1 : 0, text.size());
+  const auto here = text.begin() + static_cast<std::ptrdiff_t>(at);
+  const auto line = std::to_string(1 + std::count(text.begin(), here, '\n'));
+  if (at >= text.size()) return RigError(file_name + ":" + line + ": not JSON: the file ends too early" + allowed);
+  const std::size_t first = text.rfind('\n', at == 0 ? 0 : at - 1);
+  const std::size_t begin = first == std::string::npos || at == 0 ? 0 : first + 1;
+  std::string words = text.substr(begin, text.find('\n', at) - begin);
+  words.erase(0, words.find_first_not_of(" \t"));
+  return RigError(file_name + ":" + line + ": not JSON at \"" + printable(words, kLongestQuote) + "\"" + allowed);
+}
+
+}  // namespace
+
 Rig parse_rig(const std::string& text, const std::string& file_name) {
   json root;
   try {
     root = parse_shallow(text);
-  } catch (const json::exception& error) {  // syntax, or a number that no double holds
-    throw RigError(file_name + ": not JSON: " + printable(error.what(), 300));
+  } catch (const json::parse_error& error) {
+    throw syntax_error(file_name, text, error.byte);
+  } catch (const json::out_of_range&) {
+    throw RigError(file_name + ": has a number that is too large; allowed: numbers up to 1e300");
   } catch (const std::runtime_error& error) {
     throw RigError(file_name + ": " + error.what() + "; allowed: mount and channels as docs/viewer.md shows them");
   }

@@ -102,12 +102,13 @@ std::vector<std::string> find_shortfalls(const RunFiles& files) {
                                              factor));
   const double dropped = number_or_zero(files.server, "/transport/frames_dropped");
   faults.require(dropped == 0.0, format("server: %.0f frames dropped before they were sent, should be 0", dropped));
+  const char* const cause = factor >= kRealTime
+                                ? "socket buffers that are too small lose them (see docs/operators.md)"
+                                : "the sea is slower than real time, so the processor has too much to do";
   for (const ordered_json& channel : files.channels) {
     const double missed = number_or_zero(channel, "/gaps"), received = number_or_zero(channel, "/frames_received");
-    faults.require(missed == 0.0,
-                   name_of(channel) + format(": missed %.0f of %.0f frames, should be 0; socket buffers that are too "
-                                             "small lose them (see docs/operators.md)",
-                                             missed, missed + received));
+    faults.require(missed == 0.0, name_of(channel) + format(": missed %.0f of %.0f frames, should be 0; %s", missed,
+                                                            missed + received, cause));
   }
   return faults.take();
 }

@@ -90,6 +90,14 @@ TEST(CommandLine, ReadsNumbersOfCommandsAsDecimal) {
   EXPECT_THAT(Station({"wind-at", "010", "-07", "0"}).places, testing::ElementsAre(10.0, -7.0, 0.0));
 }
 
+TEST(CommandLine, TakesNegativeNumbersWithAndWithoutAMark) {
+  const auto places = testing::ElementsAre(-9.0, 3.0, -0.5);
+  EXPECT_THAT(Station({"wind-at", "-9", "3", "-.5"}).places, places);
+  EXPECT_THAT(Station({"wind-at", "--", "-9", "3", "-.5"}).places, places);
+  EXPECT_THAT(Station({"wind-at", "-9", "--", "3", "-.5"}).places, places);
+  EXPECT_EQ(Station({"wind-at", "--", "-9", "3", "--jsn"}).status, 2);
+}
+
 struct Refusal {
   std::vector<const char*> words;
   const char* says;

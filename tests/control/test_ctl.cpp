@@ -13,6 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 struct Outcome {
   int code = -1;
@@ -314,6 +315,15 @@ TEST(CtlAlone, HelpHasExamplesAndVersionTells) {
   EXPECT_EQ(help.code, 0);
   EXPECT_THAT(help.out, HasSubstr("pelagos-ctl wind --speed 12 --from 270"));
   EXPECT_EQ(run({"wind", "--help"}).code, 0);
+}
+
+TEST(CtlAlone, HelpOfACommandHasItsOwnExamples) {
+  const std::string wind = run({"wind", "--help"}).out, step = run({"step", "--help"}).out;
+  EXPECT_THAT(wind, HasSubstr("pelagos-ctl wind --beaufort 7"));
+  EXPECT_THAT(wind, Not(HasSubstr("pelagos-ctl wind-at")));
+  EXPECT_THAT(wind, Not(HasSubstr("pelagos-ctl boom")));
+  EXPECT_THAT(step, HasSubstr("pelagos-ctl pause; pelagos-ctl step 10"));
+  EXPECT_THAT(run({"command", "--help"}).out, Not(HasSubstr("Examples")));
   const Outcome version = run({"--version"});
   EXPECT_EQ(version.code, 0);
   EXPECT_THAT(version.out, HasSubstr("pelagos-ctl "));

@@ -13,6 +13,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 /// A run in which all worked.
 RunFiles good_run() {
@@ -49,8 +50,18 @@ TEST(RunSummary, TellsOfFramesThatWereDroppedOrMissed) {
   RunFiles files = good_run();
   files.server["transport"]["frames_dropped"] = 2;
   files.channels[0]["gaps"] = 7;
-  EXPECT_THAT(find_shortfalls(files), ElementsAre(HasSubstr("2 frames dropped"),
-                                                  AllOf(HasSubstr("viewer port"), HasSubstr("7 of 297 frames"))));
+  EXPECT_THAT(find_shortfalls(files),
+              ElementsAre(HasSubstr("2 frames dropped"),
+                          AllOf(HasSubstr("viewer port"), HasSubstr("7 of 297 frames"), HasSubstr("socket buffers"))));
+}
+
+TEST(RunSummary, BlamesNoSocketsForFramesOfASlowSea) {
+  RunFiles files = good_run();
+  files.server["speed"]["real_time_factor"] = 0.6;
+  files.channels[0]["gaps"] = 7;
+  EXPECT_THAT(find_shortfalls(files),
+              ElementsAre(HasSubstr("ran at 0.60 of real time"),
+                          AllOf(HasSubstr("the processor has too much to do"), Not(HasSubstr("socket")))));
 }
 
 TEST(RunSummary, TellsOfAWindThatDidNotRise) {

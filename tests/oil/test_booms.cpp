@@ -252,7 +252,7 @@ TEST(Booms, RefuseWhatIsNoBoom) {
   EXPECT_EQ(refusal([](Boom& b) { b.line[1].x() = std::numeric_limits<double>::quiet_NaN(); }),
             "line[1].position.x = nan; allowed: -1e8 m to 1e8 m");
   EXPECT_EQ(refusal([](Boom& b) { b.line[1] = b.line[0]; }),
-            "line: distance between points 0 and 1 = 0; allowed: at least 0.1 m");
+            "line: points 0 and 1 are 0 m apart; allowed: at least 0.1");
   EXPECT_TRUE(layer.state().booms.empty());
   EXPECT_EQ(layer.remove_boom("b"), "name = \"b\"; allowed: nothing, there is none");
 }

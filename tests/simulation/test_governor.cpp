@@ -10,6 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 constexpr Effort kExact{0.005, 3e-4, 3e-4};
 
@@ -64,6 +65,7 @@ TEST(Governor, TellsAMissedBudgetFromAMachineThatIsTooSlow) {
   EXPECT_THAT(governor.advice(0.04), HasSubstr("real time is held, the budget is missed"));
   EXPECT_THAT(governor.advice(0.04), Not(HasSubstr("cannot keep up")));
   EXPECT_THAT(governor.advice(0.025), HasSubstr("this machine cannot keep up"));
+  EXPECT_THAT(governor.advice(std::nullopt), StartsWith("the budget is missed")) << "a run without a clock to follow";
 }
 
 TEST(Governor, ClimbsAtOnceWhereAFrameIsFarOverTheBudget) {

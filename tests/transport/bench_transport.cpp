@@ -1,5 +1,5 @@
 // Measures the wire: hand-over, packing and publishing with viewers in processes of their own. Prints numbers, asserts
-// nothing.   pelagos-bench-transport [particles] [viewers] [frames] [Hz]
+// nothing.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -7,6 +7,8 @@
 #include <thread>
 
 #include "child_process.hpp"
+#include "command_line/number_check.hpp"
+#include "command_line/parse.hpp"
 #include "loopback.hpp"
 #include "packing/particle_codec.hpp"
 
@@ -110,12 +112,19 @@ void measure_publisher(const std::vector<SurfaceParticle>& particles, int viewer
 }  // namespace pelagos
 
 int main(int argc, char** argv) {
-  const auto argument = [&](int index, double otherwise) { return argc > index ? std::atof(argv[index]) : otherwise; };
-  const auto count = static_cast<std::size_t>(argument(1, 10000));
+  CLI::App app{"Measures the wire: hand-over, packing and publishing with viewers in processes of their own.",
+               "pelagos-bench-transport"};
+  std::size_t count = 10000;
+  int viewers = 3, frames = 300;
+  double rate = 30.0;
+  app.add_option("particles", count, "Of a frame (default: 10000)")->check(pelagos::WholeFrom(1, 1000000));
+  app.add_option("viewers", viewers, "Processes that read (default: 3)")->check(pelagos::WholeFrom(0, 32));
+  app.add_option("frames", frames, "To send (default: 300)")->check(pelagos::WholeFrom(1, 1000000));
+  app.add_option("rate", rate, "Frames a second (default: 30)")->check(pelagos::NumberFrom(0.1, 1000.0));
+  if (const auto status = pelagos::parse_command_line(app, argc, argv)) return *status;
   const auto particles = pelagos::make_particles(count);
   std::printf("%zu particles\n", count);
   pelagos::measure_codec(particles);
-  pelagos::measure_publisher(particles, static_cast<int>(argument(2, 3)), static_cast<int>(argument(3, 300)),
-                             argument(4, 30));
+  pelagos::measure_publisher(particles, viewers, frames, rate);
   return 0;
 }

@@ -11,6 +11,8 @@ namespace pelagos {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 std::string refusal_of(const std::string& text) {
   try {
@@ -67,14 +69,21 @@ TEST(Rig, ReportsEveryFaultAtOnce) {
 }
 
 TEST(Rig, RefusesWhatIsNoRig) {
-  EXPECT_THAT(refusal_of("{\"channels\": ["), HasSubstr("rig.json: not JSON"));
+  EXPECT_THAT(refusal_of("{\"channels\": ["),
+              StartsWith("rig.json:1: not JSON: the file ends too early; allowed: JSON with mount and channels"));
+  EXPECT_THAT(refusal_of("{\n  \"name\": \"a\",\n  channels: []\n}"),
+              StartsWith("rig.json:3: not JSON at \"channels: []\"; allowed:"));
+  EXPECT_THAT(refusal_of("mount = 3"), StartsWith("rig.json:1: not JSON at \"mount = 3\""));
+  for (const char* text : {"", "\n", "\n\n", "{", "{\n", "}\n{", "\"", "\n\"a\n"})
+    EXPECT_THAT(refusal_of(text), Not(HasSubstr("parse_error"))) << text;
   EXPECT_THAT(refusal_of("[]"), HasSubstr("one object"));
   EXPECT_THAT(refusal_of("{}"), HasSubstr("channels: is missing"));
   EXPECT_THAT(refusal_of("{\"channels\": []}"), HasSubstr("a list of 1 to 64 channels"));
   EXPECT_THAT(refusal_of("{\"channels\": [3]}"), HasSubstr("channels[0]: is 3"));
   EXPECT_THAT(refusal_of("{\"channels\": [{\"name\": \"a\", \"guard_px\": 99999999999999999999}]}"),
               HasSubstr("guard_px"));
-  EXPECT_THAT(refusal_of("{\"channels\": [{\"name\": \"a\", \"yaw_deg\": 1e999}]}"), HasSubstr("not JSON"));
+  EXPECT_THAT(refusal_of("{\"channels\": [{\"name\": \"a\", \"yaw_deg\": 1e999}]}"),
+              HasSubstr("a number that is too large"));
 }
 
 TEST(Rig, RefusesFilesItCannotUse) {

@@ -235,6 +235,13 @@ std::string with_zero(const std::string& word) {
   return word.size() > 2 && word.starts_with("-.") ? "-0" + word.substr(1) : word;
 }
 
+/// Negative numbers are values by themselves: a "--" that only values follow says nothing, and CLI11 would hand these
+/// from a command to the program.
+void drop_needless_mark(Words& words) {
+  const auto mark = std::find(words.begin(), words.end(), "--");
+  if (mark != words.end() && std::none_of(mark + 1, words.end(), is_option)) words.erase(mark);
+}
+
 }  // namespace
 
 std::optional<int> parse_command_line(CLI::App& app, int argc, const char* const* argv, std::ostream& out,
@@ -242,6 +249,7 @@ std::optional<int> parse_command_line(CLI::App& app, int argc, const char* const
   prepare(app);
   Words words;
   for (int i = 1; i < argc; ++i) words.push_back(with_zero(argv[i]));
+  drop_needless_mark(words);
   WordCheck check(app);
   const auto fail = [&](const std::string& fault) {
     err << app.get_name() << ": " << fault << " (see " << help_of(app, check.command()) << " --help)\n";

@@ -57,11 +57,11 @@ std::optional<Effort> Governor::observe(double frame_seconds) {
   return consider_descent();
 }
 
-std::string Governor::advice(double frame_interval) const {
+std::string Governor::advice(std::optional<double> frame_interval) const {
   const std::string remedy = "more threads, a larger spacing, or wider bounds in the scene's governor";
-  return smoothed_ > frame_interval
-             ? "this machine cannot keep up: " + remedy
-             : "real time is held, the budget is missed: a larger governor.frame_budget, " + remedy;
+  if (frame_interval && smoothed_ > *frame_interval) return "this machine cannot keep up: " + remedy;
+  return (frame_interval ? "real time is held, the budget is missed" : "the budget is missed") +
+         (": a larger governor.frame_budget, " + remedy);
 }
 
 std::optional<Effort> Governor::climb() {

@@ -39,7 +39,8 @@ class Governor {
 
   /// What to do about a budget that is missed at the bounds. Says that the machine cannot keep up only where a frame
   /// takes longer than `frame_interval`, s: a budget may be smaller than that, and missed while real time is held.
-  [[nodiscard]] std::string advice(double frame_interval) const;
+  /// @param frame_interval  s; nothing where the run is not paced: there is no real time to hold
+  [[nodiscard]] std::string advice(std::optional<double> frame_interval) const;
 
  private:
   std::optional<Effort> move_to(std::size_t rung);

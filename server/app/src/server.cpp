@@ -256,7 +256,8 @@ void Server::govern(double frame_seconds) {
     announce("governor", "governor", "within the budget again: " + cost);
     return;
   }
-  log_warning("governor: at the scene's bounds, and " + cost + "; " + governor_->advice(options_.scene.frame_interval));
+  const auto interval = options_.paced ? std::optional(options_.scene.frame_interval) : std::nullopt;
+  log_warning("governor: at the scene's bounds, and " + cost + "; " + governor_->advice(interval));
   announce("governor", "governor", "at the scene's bounds and over the budget: " + cost);
 }
 

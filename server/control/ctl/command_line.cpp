@@ -1,5 +1,7 @@
 #include "command_line.hpp"
 
+#include <sstream>
+
 #include "command_line/number_check.hpp"
 #include "help_text.hpp"
 #include "messages/limits.hpp"
@@ -33,6 +35,18 @@ constexpr const char* kExamples = R"(Examples:
   pelagos-ctl --server 192.168.1.20:7410 status
 
 Exit status: 0 done; 1 refused or not reachable; 2 wrong command line.)";
+
+/// The lines of the examples that a command has part in.
+std::string examples_of(const std::string& command) {
+  const std::string start = "pelagos-ctl " + command;
+  std::istringstream examples(kExamples);
+  std::string found;
+  for (std::string line; std::getline(examples, line);) {
+    const std::size_t at = (line + " ").find(start + " "), mark = line.find(start + ";");
+    if (at != std::string::npos || mark != std::string::npos) found += "\n" + line;
+  }
+  return found.empty() ? "" : "Examples:" + found;
+}
 
 bool given(const CLI::App& command, const char* option) { return command.count(option) > 0; }
 
@@ -130,6 +144,7 @@ CommandLine::CommandLine() {
   add_current_options();
   response.add_to(app);
   for (CLI::App* one : timed()) one->add_option("--at", options.at, "Not now but at this simulated time, s");
+  for (CLI::App* one : app.get_subcommands([](CLI::App*) { return true; })) one->footer(examples_of(one->get_name()));
 }
 
 std::vector<CLI::App*> CommandLine::timed() const {

@@ -151,7 +151,7 @@ class ControlServer::Impl {
                  "one station too many was refused (" + std::to_string(seated()) + " are connected)");
       if (leaving() >= kMostLeaving) return;  // not even words for it
     } else if (waiting() >= options_.max_waiting) {
-      if (Station* const least = least_waiting()) least->give_way(leaving() < kMostLeaving);
+      if (Station* const least = least_waiting()) send_away(*least, leaving() < kMostLeaving);
     }
     const auto station = std::make_shared<Station>(std::move(socket), context_);
     stations_.insert(station);
@@ -203,15 +203,24 @@ class ControlServer::Impl {
     if (seated() >= options_.max_stations) {
       Station* const least = least_seated(station.standing(Clock::now()));
       if (least == nullptr) return;  // it goes on waiting, and is served meanwhile
-      least->give_way(true);
+      send_away(*least, true);
     }
     station.set_seated(true);
   }
 
+  /// It may read why for a while, but counts no more.
+  void send_away(Station& station, bool linger) {
+    const auto alive = station.shared_from_this();
+    station.give_way(linger);
+    uncount(station);
+  }
+
+  void uncount(const Station& station) {
+    if (admitted_.erase(&station) > 0) --counters_.stations;
+  }
+
   void forget(Station& station) {
-    if (admitted_.erase(&station) > 0) {
-      --counters_.stations;
-    }
+    uncount(station);
     stations_.erase(station.shared_from_this());
   }
 

@@ -45,6 +45,13 @@ std::string number_text(double value) {
   return text.data();
 }
 
+/// For what was computed: a person needs its size, not its digits.
+std::string short_number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2g", value);
+  return text.data();
+}
+
 std::string describe_fault(const std::string& field, double value, const std::string& allowed) {
   return field + " = " + number_text(value) + "; allowed: " + allowed;
 }
@@ -113,8 +120,8 @@ std::optional<std::string> find_fault(const Boom& boom) {
     if (i == 0) continue;
     const double length = (boom.line[i] - boom.line[i - 1]).norm();
     if (length < 0.1)
-      return describe_fault("line: distance between points " + std::to_string(i - 1) + " and " + std::to_string(i),
-                            length, "at least 0.1 m");
+      return "line: points " + std::to_string(i - 1) + " and " + std::to_string(i) + " are " + short_number(length) +
+             " m apart; allowed: at least 0.1";
   }
   return first_of(std::array{
       check_above_zero("draft", boom.draft),

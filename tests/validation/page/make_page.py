@@ -107,11 +107,11 @@ def head(results):
     machine, rows = results.machine, judged(results)
     counts = {verdict: sum(row["verdict"] == verdict for row in rows) for verdict in MARKS}
     wall = sum(number(row["wall_s"]) for row in results.runs)
-    in_all = f" of {float(machine['minutes']):.0f} in all" if "minutes" in machine else ""
+    in_all = f"{float(machine['minutes']):.0f} minutes in all; " if "minutes" in machine else ""
     quick = " Only the coarse runs (`--quick`)." if machine["quick"] == "yes" else ""
     return (f"# Accuracy of Pelagos {machine['version']}\n\n"
             f"Made by `deploy/validate` on {machine['date']}: {machine['threads']} threads of {machine['processor']}, "
-            f"{machine['instruction set']}; {wall / 60:.0f} minutes{in_all} in the time steps.{quick}\n\n"
+            f"{machine['instruction set']}; {in_all}the time steps of all runs, some side by side, took {wall / 60:.0f} minutes.{quick}\n\n"
             f"Aims are held against the solver `{DEFAULT_SOLVER}`, which a scene gets without naming one; the others are "
             f"shown beside it with the viscosity that they run with by default. Of {len(rows)} numbers with an aim "
             f"{counts['met']} meet it, {counts['missed']} miss it, {counts['failed']} are out of the bounds that the "

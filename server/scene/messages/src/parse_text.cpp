@@ -63,6 +63,14 @@ class NestingScan {
   [[nodiscard]] std::size_t depth() const { return levels_.size() + static_cast<std::size_t>(open_lists_); }
   [[nodiscard]] const std::string& path() const { return levels_.back().path; }
   [[nodiscard]] const Descriptor* message() const { return levels_.back().message; }
+  /// Whether a real number is due; whole numbers may be hexadecimal, as seeds often are.
+  [[nodiscard]] bool wants_real() const {
+    const FieldDescriptor* field = message() == nullptr ? nullptr : message()->FindFieldByName(name_);
+    return field != nullptr && (field->cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE ||
+                                field->cpp_type() == FieldDescriptor::CPPTYPE_FLOAT);
+  }
+  /// Whose value the present token is part of.
+  [[nodiscard]] std::string field() const { return path().empty() ? name_ : path() + "." + name_; }
 
   /// Steps into or out of a message at the present token.
   void follow() {
@@ -107,13 +115,21 @@ class NestingScan {
   int open_lists_ = 0;
 };
 
-std::optional<FieldFault> check_nesting(std::string_view text, const Descriptor* message) {
+bool is_hexadecimal(const Tokenizer::Token& token) {
+  return token.type == Tokenizer::TYPE_INTEGER && (token.text.starts_with("0x") || token.text.starts_with("0X"));
+}
+
+/// What the parser would end in a stack overflow, or refuse without naming the field.
+std::optional<FieldFault> check_tokens(std::string_view text, const Descriptor* message) {
   NestingScan scan(text, message);
   while (scan.next()) {
     if (scan.depth() > kDeepestNesting) {
       return FieldFault{scan.token().line + 1, scan.token().column + 1, "",
                         "messages nested too deeply; allowed: " + std::to_string(kDeepestNesting) + " levels"};
     }
+    if (is_hexadecimal(scan.token()) && scan.wants_real())
+      return FieldFault{scan.token().line + 1, scan.token().column + 1, scan.field(),
+                        "is " + scan.token().text + " (hexadecimal); allowed: a decimal number"};
     scan.follow();
   }
   return std::nullopt;
@@ -187,7 +203,7 @@ std::string explain(const std::string& message, const FileDescriptor& file) {
 
 void parse_text(std::string_view original, google::protobuf::Message& message, ParsedText& out) {
   const Descriptor* descriptor = message.GetDescriptor();
-  if (const auto too_deep = check_nesting(original, descriptor)) {
+  if (const auto too_deep = check_tokens(original, descriptor)) {
     out.readable = false;
     out.faults = {*too_deep};
     return;
