@@ -16,7 +16,9 @@ namespace pelagos {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A dock that is a U across x, 3 m wide, 2 m long, walls 0.5 m and floor 0.5 m thick, walls 1.5 m high inside.
 class DockFile {
@@ -118,6 +120,19 @@ TEST(ConvexHull, TellsWhatAMeshLeavesEmpty) {
   EXPECT_NEAR(hollow_share(make_mesh(SphereShape{0.5})), 0.0, 1e-6);
   const DockFile dock;
   EXPECT_NEAR(hollow_share(read_mesh(dock.path()).mesh), 2.0 * 1.5 / (3.0 * 2.0), 1e-9);
+}
+
+TEST(HollowContacts, AFreeHollowBodyIsToldToTouchAsItsHull) {
+  const DockFile dock;
+  Scene scene = docked(dock, BodyDrive::kFree, 0.0);
+  scene.bodies[1].position = {3.0, 0.0, 1.6};
+  EXPECT_THAT(World(scene, {1, nullptr, {}}).start_notes(),
+              Contains(AllOf(HasSubstr("body 1 (dock): it touches other bodies as the convex hull of its mesh"),
+                             HasSubstr("100 % larger"))));
+  scene.bodies.pop_back();
+  EXPECT_THAT(World(scene, {1, nullptr, {}}).start_notes(), Not(Contains(HasSubstr("convex hull"))));
+  Scene still = docked(dock, BodyDrive::kStatic, 0.0);
+  EXPECT_THAT(World(still, {1, nullptr, {}}).start_notes(), Not(Contains(HasSubstr("convex hull"))));
 }
 
 }  // namespace

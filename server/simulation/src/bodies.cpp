@@ -58,6 +58,7 @@ bool lies_in(const Box& block, double spacing, const Hold& hold, const BodyState
   return true;
 }
 
+constexpr double kLargerHull = 0.1;      ///< than the mesh: worth a note
 constexpr double kWaterClearance = 1.0;  ///< spacings of water at rest from a hull's samples
 
 constexpr double kHullOverlap = 0.5;  ///< spacings that a body may stand in another's hull at the start
@@ -238,6 +239,21 @@ std::vector<std::string> Bodies::hold_notes(double level) const {
           ". Its plating, {:.2g} m thick in the mean, is thinner than two spacings ({:g} m): draft and trim are "
           "coarse, and water may seep in",
           plating, kThinPlates * spacing_);
+  }
+  return notes;
+}
+
+std::vector<std::string> Bodies::contact_notes() const {
+  std::vector<std::string> notes;
+  if (bodies_.size() < 2) return notes;  // of the tank's faces a hull touches what its mesh touches
+  for (const Body& body : bodies_) {
+    const double hollow = body.free && body.shape.kind == MeshKind::kClosed ? hollow_share(body.shape.mesh) : 0.0;
+    const double larger = hollow / (1.0 - hollow);
+    if (larger < kLargerHull) continue;
+    notes.push_back(
+        fmt::format("{}: it touches other bodies as the convex hull of its mesh, {:.0f} % larger than the mesh: what "
+                    "comes into its hollows is pushed out (drive STATIC or POSE touches as the mesh is)",
+                    PlacedShape{&body.settings, &body.shape}.name(), 100.0 * larger));
   }
   return notes;
 }

@@ -107,6 +107,7 @@ void World::note_start() {
   if (bodies_.empty()) return;
   bodies_.measure_holds(origin_, fluid_);
   start_notes_ = bodies_.hold_notes(water_level_);
+  for (std::string& note : bodies_.contact_notes()) start_notes_.push_back(std::move(note));
   for (std::string& note :
        mirrored_face_notes(scene_, fluid_.parameters.support_radius, water_level_, bodies_.placed()))
     start_notes_.push_back(std::move(note));

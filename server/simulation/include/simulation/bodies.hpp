@@ -75,6 +75,9 @@ class Bodies {
   /// @param level  m, world: of the water at rest
   [[nodiscard]] std::vector<std::string> hold_notes(double level) const;
 
+  /// Free bodies whose convex hull, as which they touch others, is much larger than their mesh, one a line.
+  [[nodiscard]] std::vector<std::string> contact_notes() const;
+
   /// Takes a validated pose. False if no body follows poses under its id or it is not newer than the last one.
   bool accept(const BodyPose& pose, double now);
 
