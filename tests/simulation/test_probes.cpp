@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "basin.hpp"
-#include "simulation/surface_columns.hpp"
 #include "simulation/world.hpp"
+#include "surface/water_columns.hpp"
 #include "world_access.hpp"
 
 namespace pelagos {
@@ -111,11 +111,11 @@ TEST(Probes, PlacesFarAwayOrNowhereAreDryAndCostNothing) {
   const Eigen::Vector2d middle = (Eigen::Vector3d(2.5, 2.0, 0.0) - world.origin()).head<2>();
   const double nowhere = std::numeric_limits<double>::quiet_NaN();
   const std::vector<SurfacePlace> places{{middle, {}}, {{9e4, -9e4}, {}}, {{nowhere, 0.0}, {}}};
-  const std::vector<SurfaceReading> readings = read_surface(world.fluid(), places);  // cells up to there: terabytes
-  EXPECT_TRUE(readings[0].wet);
-  EXPECT_FALSE(readings[1].wet);
-  EXPECT_FALSE(readings[2].wet);
-  EXPECT_FALSE(read_surface(world.fluid(), std::span(places).subspan(1))[0].wet);
+  TaskPool pool(1);
+  const WaterColumns columns(pool, ColumnWater::of(world.fluid()));
+  EXPECT_TRUE(columns.read(places[0]).wet);
+  EXPECT_FALSE(columns.read(places[1]).wet) << "cells up to there would take terabytes";
+  EXPECT_FALSE(columns.read(places[2]).wet);
 }
 
 TEST(Probes, GoWithTheirBody) {

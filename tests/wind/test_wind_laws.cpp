@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "surface/water_columns.hpp"
 #include "wind/drag.hpp"
 #include "wind/wind.hpp"
 
@@ -42,7 +43,10 @@ struct Push {
 Push act(Wind& wind, const std::vector<Float4>& position, double time, int threads = 1) {
   TaskPool pool(threads);
   Push push{std::vector<Float4>(position.size()), std::vector<Float4>(position.size())};
-  wind.act(pool, position, position.size(), time, push.acceleration, push.velocity);
+  const WaterColumns columns(pool, {position, position, position.size(), 0, 0, kSpacing});
+  SurfaceGrid surface;
+  columns.sample(pool, surface);
+  wind.act(pool, &surface, position, position.size(), time, push.acceleration, push.velocity);
   return push;
 }
 std::vector<Float4> push_on(Wind& wind, const std::vector<Float4>& position, double time, int threads = 1) {

@@ -338,7 +338,8 @@ void Bodies::touch(double dt) {
       body.free->take(still, still, contacts_->velocity(body.hull), contacts_->angular_velocity(body.hull));
 }
 
-std::vector<BodyLoad> Bodies::take_loads(const Eigen::Vector3d& origin, const FluidState& fluid, double still_level) {
+std::vector<BodyLoad> Bodies::take_loads(const Eigen::Vector3d& origin, const FluidState& fluid, WaterSurface& surface,
+                                         double still_level) {
   std::vector<BodyLoad> loads;
   measure_holds(origin, fluid);
   if (volumes_.empty()) return loads;
@@ -346,7 +347,7 @@ std::vector<BodyLoad> Bodies::take_loads(const Eigen::Vector3d& origin, const Fl
   for (const Body& body : bodies_)
     if (body.moves())
       for (const SurfacePlace& place : ring_around(body.shape, body.state, origin)) places.push_back(place);
-  const std::vector<SurfaceReading> readings = read_surface(fluid, places);
+  const std::vector<SurfaceReading> readings = surface.read_particles(fluid, places);
   const std::size_t ring = places.size() / fluid.coupling.bodies.size();
   std::size_t first = 0;
   for (Body& body : bodies_) {

@@ -7,7 +7,6 @@
 
 #include "rigid/hydrostatics.hpp"
 #include "simulation/bodies.hpp"
-#include "simulation/surface_columns.hpp"
 
 namespace pelagos {
 
@@ -23,7 +22,7 @@ double median(std::vector<double>& values) {
 }
 
 /// m/s, the middle of the surface's velocities all over the tank: wakes cover few of the places.
-Eigen::Vector2d drift_of_surface(const FluidState& fluid) {
+Eigen::Vector2d drift_of_surface(WaterSurface& surface, const FluidState& fluid) {
   const Region& tank = fluid.parameters.tank;
   const Eigen::Vector2d min(tank.min[0], tank.min[1]), max(tank.max[0], tank.max[1]);
   std::vector<SurfacePlace> places;
@@ -31,7 +30,7 @@ Eigen::Vector2d drift_of_surface(const FluidState& fluid) {
     for (int j = 0; j < kWatchRows; ++j)
       places.push_back({min + (max - min).cwiseProduct(Eigen::Vector2d(i + 0.5, j + 0.5) / kWatchRows), {}});
   std::array<std::vector<double>, 2> along;
-  for (const SurfaceReading& reading : read_surface(fluid, places))
+  for (const SurfaceReading& reading : surface.read_particles(fluid, places))
     for (std::size_t axis = 0; reading.wet && axis < 2; ++axis)
       along[axis].push_back(reading.velocity[static_cast<Eigen::Index>(axis)]);
   if (along[0].empty()) return Eigen::Vector2d::Zero();
@@ -117,7 +116,7 @@ void Bodies::drift(double dt, const BodySea& at, FluidState& fluid) {
   if (!at.wind_drags) {
     surface_drift_.setZero();
   } else if (at.time >= surface_due_) {
-    surface_drift_ = drift_of_surface(fluid);
+    surface_drift_ = drift_of_surface(*at.surface, fluid);
     surface_due_ = at.time + kWatchInterval;
   }
   std::vector<Eigen::Vector2d> on_water(fluid.coupling.bodies.size(), Eigen::Vector2d::Zero());

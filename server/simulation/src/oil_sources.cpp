@@ -16,23 +16,22 @@ constexpr double kExchangeInterval = 0.25;  // s between exchanges of particles 
 constexpr double kGoldenPart = 0.6180339887498949;
 constexpr double kReach = 4.0;      // spacings from a source to the water that it flows into
 constexpr int kFullCell = 4;        // particles that cover a column of (2 d)^2 with one layer
+constexpr double kTopLayer = 1.2;   // spacings below the surface: particles of the topmost layer, rough as it is
 constexpr int kThinNeighbours = 5;  // in the 3 x 3 columns around, of which a layer has 36
 
 }  // namespace
 
 void OilSpill::advance(double dt, const SpillSea& sea, FluidState& fluid) {
   if (empty() && layer_.state().skimmers.empty()) return;
-  const bool film_wanted = model_ != OilModel::kParticles;
-  if (film_wanted) surface_.build(fluid, fallback_level_);
   run_sources(dt, sea, fluid);
-  if (!film_wanted) return;
-  static_cast<void>(layer_.advance(dt, SpillSurroundings(sea, surface_, origin_, *layer_.settings().patch,
-                                                         fallback_level_ + origin_.z(), spacing_)));
+  if (model_ == OilModel::kParticles) return;
+  static_cast<void>(layer_.advance(
+      dt, SpillSurroundings(sea, origin_, *layer_.settings().patch, fallback_level_ + origin_.z(), spacing_)));
   since_exchange_ += dt;
   if (model_ != OilModel::kBoth || since_exchange_ < kExchangeInterval) return;
   since_exchange_ = 0.0;
-  thin_to_film(fluid);
-  pile_to_particles(fluid);
+  thin_to_film(sea.surface, fluid);
+  pile_to_particles(sea.surface, fluid);
 }
 
 void OilSpill::run_sources(double dt, const SpillSea& sea, FluidState& fluid) {
@@ -84,7 +83,7 @@ SourceWait OilSpill::feed_film(Source& source, const SpillSea& sea) {
 }
 
 bool OilSpill::dry(const Eigen::Vector3d& world, const SpillSea& sea) const {
-  return !surface_.at((world - origin_).head<2>()) && !sea.bodies.covers(world, 0.0);
+  return !sample_at(sea.surface, (world - origin_).head<2>()) && !sea.bodies.covers(world, 0.0);
 }
 
 SourceWait OilSpill::make_particles(Source& source, const SpillSea& sea, FluidState& fluid) {
@@ -118,9 +117,9 @@ bool OilSpill::turn_to_oil(FluidState& fluid, const Eigen::Vector3d& world) {
   return true;
 }
 
-void OilSpill::thin_to_film(FluidState& fluid) {
+void OilSpill::thin_to_film(const SurfaceGrid& surface, FluidState& fluid) {
   FluidParticles& p = fluid.particles;
-  const ColumnGrid grid = make_column_grid({p.position.data(), p.count}, 2.0F * static_cast<float>(spacing_));
+  const ColumnGrid& grid = surface.grid;
   std::vector<int> oil(grid.cell_count());
   const auto column = [&](const Float4& x) {
     return std::pair{std::clamp(static_cast<int>((x.x - grid.origin_x) / grid.cell), 0, grid.columns - 1),
@@ -140,8 +139,8 @@ void OilSpill::thin_to_film(FluidState& fluid) {
     for (int v = std::max(b - 1, 0); v <= std::min(b + 1, grid.rows - 1); ++v)
       for (int u = std::max(a - 1, 0); u <= std::min(a + 1, grid.columns - 1); ++u) around += oil[grid.index(u, v)];
     if (oil[grid.index(a, b)] >= kFullCell / 2 || around >= kThinNeighbours) continue;
-    const auto surface = surface_.at({static_cast<double>(x.x), static_cast<double>(x.y)});
-    if (!surface || static_cast<double>(x.z) < surface->height - 1.5 * spacing_) continue;  // on its way up
+    const auto water = sample_at(surface, {static_cast<double>(x.x), static_cast<double>(x.y)});
+    if (!water || static_cast<double>(x.z) < water->height - kTopLayer * spacing_) continue;  // on its way up
     const Eigen::Vector2d place = origin_.head<2>() + Eigen::Vector2f(x.x, x.y).cast<double>();
     if (!in_patch(place) || layer_.take(particle_mass(), place, radius)) continue;
     p.phase[i] = kWaterPhase;
@@ -150,10 +149,10 @@ void OilSpill::thin_to_film(FluidState& fluid) {
   }
 }
 
-void OilSpill::pile_to_particles(FluidState& fluid) {
+void OilSpill::pile_to_particles(const SurfaceGrid& surface, FluidState& fluid) {
   for (const ReturnedOil& oil : layer_.give_back()) {
-    const auto surface = surface_.at(oil.position - origin_.head<2>());
-    const double height = origin_.z() + (surface ? surface->height : fallback_level_) - 0.5 * spacing_;
+    const auto water = sample_at(surface, oil.position - origin_.head<2>());
+    const double height = origin_.z() + (water ? water->height : fallback_level_) - 0.5 * spacing_;
     std::size_t left = oil.particles;
     while (left > 0 && particles_ < most_particles_ && turn_to_oil(fluid, {oil.position.x(), oil.position.y(), height}))
       --left;

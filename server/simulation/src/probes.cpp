@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "simulation/surface_columns.hpp"
-
 namespace pelagos {
 
 std::optional<std::string> Probes::set(const ProbeSettings& probe) {
@@ -24,7 +22,8 @@ std::vector<std::uint32_t> Probes::ids() const {
   return ids;
 }
 
-std::vector<ProbeReading> Probes::read(const FluidState& fluid, const Bodies& bodies, const Eigen::Vector3d& origin,
+std::vector<ProbeReading> Probes::read(const FluidState& fluid, WaterSurface& surface, const WaveField& sea,
+                                       const Bodies& bodies, const Eigen::Vector3d& origin,
                                        const std::optional<Current>& current, double time) const {
   std::vector<ProbeReading> readings;
   std::vector<SurfacePlace> places;
@@ -39,14 +38,17 @@ std::vector<ProbeReading> Probes::read(const FluidState& fluid, const Bodies& bo
     place.local = (reading.position - origin).head<2>();
     if (!probe.at_surface) place.height = reading.position.z() - origin.z();
   }
-  const std::vector<SurfaceReading> surface = read_surface(fluid, places);
+  const std::vector<SurfaceReading> water = surface.read(fluid, sea, time, places);
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    readings[k].wet = surface[k].wet;
-    if (!surface[k].wet) continue;
-    readings[k].height = surface[k].height + origin.z();
-    readings[k].normal = surface[k].normal;
-    readings[k].velocity = surface[k].velocity;
-    if (current) readings[k].velocity += current->unresolved_velocity_at(readings[k].position, time);
+    readings[k].wet = water[k].wet;
+    if (!water[k].wet) continue;
+    readings[k].height = water[k].height + origin.z();
+    readings[k].normal = water[k].normal;
+    readings[k].velocity = water[k].velocity;
+    if (!current) continue;
+    const Eigen::Vector3d& place = readings[k].position;  // the wave field makes no current at all
+    readings[k].velocity += water[k].share * current->unresolved_velocity_at(place, time) +
+                            (1.0 - water[k].share) * current->velocity_at(place, time);
   }
   return readings;
 }

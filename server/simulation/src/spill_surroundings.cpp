@@ -15,7 +15,7 @@ void SpillSurroundings::sample(std::span<const Eigen::Vector2d> positions, std::
   std::optional<Air::Moment> moment;
   if (sea_.air != nullptr) moment = sea_.air->at(sea_.time);
   std::optional<Eigen::Vector2d> driven;
-  if (moment && moment->wind.law != WindLaw::kStress) driven = surface_.mean_velocity().head<2>();
+  if (moment && moment->wind.law != WindLaw::kStress) driven = mean_velocity(sea_.surface).head<2>();
   for (std::size_t i = 0; i < positions.size(); ++i) {
     states[i] = at(positions[i], moment ? &*moment : nullptr);
     if (driven) states[i].water_velocity += current_in_water(positions[i], states[i].height) - *driven;
@@ -33,7 +33,7 @@ Eigen::Vector2d SpillSurroundings::current_in_water(const Eigen::Vector2d& posit
 SurfaceState SpillSurroundings::at(const Eigen::Vector2d& position, const Air::Moment* moment) const {
   SurfaceState state;
   const Eigen::Vector2d local = position - origin_.head<2>();
-  const auto surface = surface_.at(local);
+  const auto surface = sample_at(sea_.surface, local);
   state.water = surface.has_value();
   state.height = surface ? surface->height + origin_.z() : level_;
   if (surface) state.water_velocity = surface->velocity.head<2>();
@@ -61,7 +61,9 @@ void SpillSurroundings::find_way_out(const Eigen::Vector2d& position, SurfaceSta
     return;
   }
   if (!state.water) return;  // it lies dry, and stays
-  const auto is_wet = [&](const Eigen::Vector2d& place) { return surface_.at(place - origin_.head<2>()).has_value(); };
+  const auto is_wet = [&](const Eigen::Vector2d& place) {
+    return sample_at(sea_.surface, place - origin_.head<2>()).has_value();
+  };
   if (const auto way = water.way_out(position, state.water_velocity, is_wet)) state.way_out = *way;
 }
 

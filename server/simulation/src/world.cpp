@@ -50,6 +50,13 @@ FluidState make_start(TaskPool& pool, const Scene& scene, const Bodies& bodies, 
   return make_fluid(pool, fluid_parameters(scene, origin), start.position, start.phase);
 }
 
+WaveField make_sea(const Scene& scene, double water_level) {
+  const double gravity = scene.gravity > 0.0 ? scene.gravity : kStandardGravity;
+  return {make_wave_components(
+              {scene.far_sea.beaufort, scene.far_sea.wave_to_deg, scene.far_sea.components, scene.seed, gravity}),
+          water_level};
+}
+
 SurfaceScales surface_scales(const FluidParameters& parameters) {
   return {parameters.spacing, parameters.support_radius, parameters.gravity};
 }
@@ -66,6 +73,8 @@ World::World(const Scene& scene, const WorldOptions& options)
       fluid_(make_start(*pool_, scene, bodies_, origin_)),
       water_level_(rest_level(*pool_, scene, bodies_,
                               std::span(fluid_.particles.position).first(fluid_.particles.count), origin_)),
+      sea_(make_sea(scene, water_level_)),
+      water_surface_(*pool_, {origin_, fluid_.parameters.tank, {}}),
       drive_(scene, origin_, water_level_, fluid_.particles.count),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
       max_step_(largest_time_step(scene)) {
@@ -99,6 +108,7 @@ StepFault World::recover() {
   if (!recovery_ || ++faults_in_row_ == kMostFaults) return StepFault::kFatal;
   recovery_->restore(origin_, fluid_, bodies_, clock_, largest_speed_);
   if (spill_before_) spill_->restore(*spill_before_);
+  water_surface_.forget();
   careful_until_ = clock_.time() + kCarefulTime;
   return StepFault::kRestored;
 }
@@ -139,6 +149,7 @@ WorldStep World::advance() {
     bodies_.advance(now, dt, origin_, fluid_);
   }
   advance_fluid(*pool_, fluid_, dt, clock, report);
+  water_surface_.forget();
   if (!bodies_.empty()) {
     const StageScope scope(report.times, clock, Stage::kBodies);
     bodies_.drift(dt, body_sea(now + dt), fluid_);
@@ -151,7 +162,8 @@ WorldStep World::advance() {
   if (wind_) {
     const StageScope scope(report.times, clock, Stage::kWind);
     FluidParticles& p = fluid_.particles;
-    wind_->act(*pool_, p.position, p.count, now + dt, p.acceleration, p.velocity);
+    const SurfaceGrid* surface = wind_->asks_surface(now + dt) ? &water_surface_.grid(fluid_) : nullptr;
+    wind_->act(*pool_, surface, p.position, p.count, now + dt, p.acceleration, p.velocity);
   }
   drive_current(now + dt, report);
   advance_oil(dt, now + dt, report);
@@ -174,7 +186,7 @@ WorldStep World::advance() {
 
 BodySea World::body_sea(double time) const {
   const bool drags = wind_ && wind_->air().settings_at(time).law == WindLaw::kStress;
-  return {current_ ? &*current_ : nullptr, drags, time, water_level_};
+  return {current_ ? &*current_ : nullptr, drags, time, water_level_, &water_surface_};
 }
 
 double World::choose_time_step() const {
@@ -192,7 +204,7 @@ void World::fill_snapshot(Snapshot& snapshot, StepReport& report) {
   snapshot.origin = origin_;
   snapshot.total_particles = static_cast<std::uint32_t>(fluid_.particles.count);
   snapshot.bodies = bodies_.states();
-  snapshot.loads = bodies_.take_loads(origin_, fluid_, water_level_ - origin_.z());
+  snapshot.loads = bodies_.take_loads(origin_, fluid_, water_surface_, water_level_ - origin_.z());
   snapshot.probes = read_probes();
   snapshot.oil.reset();
   if (spill_) snapshot.oil.emplace(OilSnapshot{spill_->budget(), spill_->discs()});
@@ -203,7 +215,8 @@ void World::fill_snapshot(Snapshot& snapshot, StepReport& report) {
 }
 
 std::vector<ProbeReading> World::read_probes() const {
-  std::vector<ProbeReading> readings = probes_.read(fluid_, bodies_, origin_, current_, clock_.time());
+  std::vector<ProbeReading> readings =
+      probes_.read(fluid_, water_surface_, sea_, bodies_, origin_, current_, clock_.time());
   if (wind_)
     for (ProbeReading& reading : readings) reading.air = wind_->air().velocity_at(reading.position, clock_.time());
   return readings;
@@ -220,8 +233,7 @@ SceneInfo World::describe() const {
   info.tank = scene_.tank;
   info.tank_walls_visible = scene_.tank_walls_visible;
   info.origin = scene_.origin;
-  info.far_sea = make_wave_components({scene_.far_sea.beaufort, scene_.far_sea.wave_to_deg, scene_.far_sea.components,
-                                       scene_.seed, scene_.gravity > 0.0 ? scene_.gravity : kStandardGravity});
+  info.far_sea.assign(sea_.components().begin(), sea_.components().end());
   for (const BodySettings& body : scene_.bodies)
     info.bodies.push_back(
         {body.id, body.name,

@@ -68,7 +68,9 @@ std::optional<std::string> World::apply_to_oil(const OilCommand& command) {
 void World::advance_oil(double dt, double time, StepReport& report) {
   if (!spill_) return;
   const StageScope scope(report.times, options_.clock, Stage::kOil);
-  const SpillSea sea{bodies_, wind_ ? &wind_->air() : nullptr, current_ ? &*current_ : nullptr, time};
+  static const SurfaceGrid nothing;
+  const SurfaceGrid& surface = spill_->asks_surface() ? water_surface_.grid_with_velocities(fluid_) : nothing;
+  const SpillSea sea{bodies_, surface, wind_ ? &wind_->air() : nullptr, current_ ? &*current_ : nullptr, time};
   spill_->advance(dt, sea, fluid_);
 }
 

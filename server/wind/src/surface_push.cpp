@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wind/column_grid.hpp"
 #include "wind/drag.hpp"
 #include "wind/wind.hpp"
 
@@ -51,11 +50,23 @@ SurfaceLaw surface_law(const WindSite& site, const WindSettings& wind) {
   return {wind.law, wind.beta * density_ratio / reference_time, Wind::kDecaySpacings * site.spacing};
 }
 
+/// Of a dry cell the mean of the wet ones around it, the mean level where there are none.
+float height_of(const SurfaceGrid& surface, int i, int j, float level) {
+  const ColumnGrid& grid = surface.grid;
+  if (const SurfaceCell& own = surface.cells[grid.index(i, j)]; own.wet) return own.height;
+  float sum = 0.0f;
+  int found = 0;
+  for (int b = std::max(j - 1, 0); b <= std::min(j + 1, grid.rows - 1); ++b)
+    for (int a = std::max(i - 1, 0); a <= std::min(i + 1, grid.columns - 1); ++a)
+      if (const SurfaceCell& cell = surface.cells[grid.index(a, b)]; cell.wet) sum += cell.height, ++found;
+  return found > 0 ? sum / static_cast<float>(found) : level;
+}
+
 /// The push at the surface and the surface's height, column by column.
-void fill_columns(TaskPool& pool, const ColumnGrid& grid, std::span<const float> height, const Air& air,
-                  const Air::Moment& moment, const SurfaceLaw& law, float spacing, std::vector<Float4>& columns) {
+void fill_columns(TaskPool& pool, const SurfaceGrid& surface, const Air& air, const Air::Moment& moment,
+                  const SurfaceLaw& law, std::vector<Float4>& columns) {
+  const ColumnGrid& grid = surface.grid;
   const double level = air.local_level();
-  const float fallback = static_cast<float>(level) - 0.5f * spacing;
   columns.resize(grid.cell_count());
   pool.for_each_range(static_cast<std::size_t>(grid.rows), 4, [&](std::size_t begin, std::size_t end) {
     for (int j = static_cast<int>(begin); j < static_cast<int>(end); ++j)
@@ -64,8 +75,7 @@ void fill_columns(TaskPool& pool, const ColumnGrid& grid, std::span<const float>
                                      static_cast<double>(grid.origin_y) + (j + 0.5) * static_cast<double>(grid.cell),
                                      level);
         const Eigen::Vector3f push = law.push(air.reference(moment, centre));
-        const float surface = surface_height(grid, height, i, j, 2.0f * spacing, fallback);
-        columns[grid.index(i, j)] = {push.x(), push.y(), push.z(), surface + 0.5f * spacing};
+        columns[grid.index(i, j)] = {push.x(), push.y(), push.z(), height_of(surface, i, j, static_cast<float>(level))};
       }
   });
 }
@@ -106,16 +116,12 @@ void apply_columns(TaskPool& pool, const ColumnGrid& grid, const std::vector<Flo
 
 }  // namespace
 
-void Wind::push_surface(TaskPool& pool, std::span<const Float4> position, const Air::Moment& moment,
-                        std::span<Float4> acceleration) {
+void Wind::push_surface(TaskPool& pool, const SurfaceGrid& surface, std::span<const Float4> position,
+                        const Air::Moment& moment, std::span<Float4> acceleration) {
   const SurfaceLaw law = surface_law(site_, moment.wind);
-  if (!(law.factor > 0.0)) return;
-  const auto spacing = static_cast<float>(site_.spacing);
-  const ColumnGrid grid = make_column_grid(position, 2.0f * spacing);
-  if (grid.columns == 0) return;
-  find_highest(grid, position, height_);
-  fill_columns(pool, grid, height_, air_, moment, law, spacing, column_);
-  apply_columns(pool, grid, column_, static_cast<float>(law.decay), position, acceleration);
+  if (!(law.factor > 0.0) || surface.cells.empty()) return;
+  fill_columns(pool, surface, air_, moment, law, column_);
+  apply_columns(pool, surface.grid, column_, static_cast<float>(law.decay), position, acceleration);
 }
 
 }  // namespace pelagos

@@ -2,14 +2,26 @@
 
 namespace pelagos {
 
-void Wind::act(TaskPool& pool, std::span<const Float4> position, std::size_t count, double time,
-               std::span<Float4> acceleration, std::span<Float4> velocity) {
+namespace {
+
+bool is_still(const Air::Moment& moment) {
+  return moment.pulse == 0.0 || (moment.wind.velocity.isZero() && moment.wind.amplitude == 0.0);
+}
+
+}  // namespace
+
+bool Wind::asks_surface(double time) const {
   const Air::Moment moment = air_.at(time);
-  const bool still = moment.pulse == 0.0 || (moment.wind.velocity.isZero() && moment.wind.amplitude == 0.0);
-  if (!still && moment.wind.law == WindLaw::kPaper)
+  return !is_still(moment) && moment.wind.law != WindLaw::kPaper;
+}
+
+void Wind::act(TaskPool& pool, const SurfaceGrid* surface, std::span<const Float4> position, std::size_t count,
+               double time, std::span<Float4> acceleration, std::span<Float4> velocity) {
+  const Air::Moment moment = air_.at(time);
+  if (!is_still(moment) && moment.wind.law == WindLaw::kPaper)
     push_as_printed(pool, position.first(count), moment, velocity);
-  else if (!still)
-    push_surface(pool, position.first(count), moment, acceleration);
+  else if (!is_still(moment))
+    push_surface(pool, *surface, position.first(count), moment, acceleration);
   air_.count_step();
 }
 

@@ -15,6 +15,7 @@
 #include "simulation/hold.hpp"
 #include "simulation/load_meter.hpp"
 #include "simulation/placed_shape.hpp"
+#include "simulation/water_surface.hpp"
 #include "values/body.hpp"
 #include "values/current.hpp"
 #include "values/hold_reading.hpp"
@@ -29,6 +30,7 @@ struct BodySea {
   bool wind_drags = false;           ///< the wind drags the surface along as a real one does (WindLaw::kStress)
   double time = 0.0;                 ///< s
   double water_level = 0.0;          ///< m, world, at rest
+  WaterSurface* surface = nullptr;   ///< never null in a world
 };
 
 /// The rigid bodies of a world and their samples in the water's walls: those of STATIC bodies among the walls that
@@ -99,8 +101,9 @@ class Bodies {
   void start_drift(const Current& current, double time, double water_level, double rest_density);
 
   /// What the water did to each body that moves or may move, averaged since the last call.
+  /// The surface that tells what still water would do is the particles' alone, for they make the loads.
   [[nodiscard]] std::vector<BodyLoad> take_loads(const Eigen::Vector3d& origin, const FluidState& fluid,
-                                                 double still_level);
+                                                 WaterSurface& surface, double still_level);
 
   /// Whether all places and velocities are numbers.
   [[nodiscard]] bool finite() const;

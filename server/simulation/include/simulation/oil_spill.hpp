@@ -9,7 +9,7 @@
 #include "oil/slick_layer.hpp"
 #include "physics/fluid.hpp"
 #include "simulation/bodies.hpp"
-#include "simulation/surface_field.hpp"
+#include "simulation/water_surface.hpp"
 #include "values/current.hpp"
 #include "values/oil_budget.hpp"
 #include "values/scene.hpp"
@@ -22,6 +22,7 @@ namespace pelagos {
 /// What the oil meets in a step.
 struct SpillSea {
   const Bodies& bodies;
+  const SurfaceGrid& surface;        ///< with velocities; empty where nobody asks (OilSpill::asks_surface)
   const Air* air = nullptr;          ///< null: no wind
   const Current* current = nullptr;  ///< null: none
   double time = 0.0;                 ///< s
@@ -60,6 +61,10 @@ class OilSpill {
   [[nodiscard]] const SlickState& film() const { return layer_.state(); }
   /// Names of the sources that run.
   [[nodiscard]] std::vector<std::string> sources() const;
+  /// Whether `advance` looks at the water's surface.
+  [[nodiscard]] bool asks_surface() const {
+    return model_ != OilModel::kParticles && !(empty() && layer_.state().skimmers.empty());
+  }
   [[nodiscard]] bool empty() const { return layer_.elements().empty() && sources_.empty() && particles_ == 0; }
 
   /// All that changes, to come back to.
@@ -81,8 +86,8 @@ class OilSpill {
   [[nodiscard]] SourceWait feed_film(Source& source, const SpillSea& sea);
   [[nodiscard]] SourceWait make_particles(Source& source, const SpillSea& sea, FluidState& fluid);
   [[nodiscard]] bool dry(const Eigen::Vector3d& world, const SpillSea& sea) const;
-  void thin_to_film(FluidState& fluid);
-  void pile_to_particles(FluidState& fluid);
+  void thin_to_film(const SurfaceGrid& surface, FluidState& fluid);
+  void pile_to_particles(const SurfaceGrid& surface, FluidState& fluid);
   [[nodiscard]] bool turn_to_oil(FluidState& fluid, const Eigen::Vector3d& world);
   [[nodiscard]] Eigen::Vector3d next_place(Source& source, const SpillSea& sea) const;
   [[nodiscard]] bool in_patch(const Eigen::Vector2d& place) const;
@@ -94,7 +99,6 @@ class OilSpill {
   double spacing_, oil_density_, water_density_;
   std::uint32_t most_particles_;
   SlickLayer layer_;
-  SurfaceField surface_;
   double fallback_level_;
   double since_exchange_ = 0.0;  ///< s
   double since_film_ = 0.0;      ///< s

@@ -21,9 +21,9 @@ class Probes {
   [[nodiscard]] std::vector<std::uint32_t> ids() const;
 
   /// By id. @param origin  m, world, of local coordinates; @param current  adds what the water does not make itself
-  [[nodiscard]] std::vector<ProbeReading> read(const FluidState& fluid, const Bodies& bodies,
-                                               const Eigen::Vector3d& origin, const std::optional<Current>& current,
-                                               double time) const;
+  [[nodiscard]] std::vector<ProbeReading> read(const FluidState& fluid, WaterSurface& surface, const WaveField& sea,
+                                               const Bodies& bodies, const Eigen::Vector3d& origin,
+                                               const std::optional<Current>& current, double time) const;
 
  private:
   std::map<std::uint32_t, ProbeSettings> probes_;

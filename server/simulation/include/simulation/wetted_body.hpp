@@ -6,7 +6,7 @@
 #include "rigid/body_shape.hpp"
 #include "rigid/hydrostatics.hpp"
 #include "simulation/hold.hpp"
-#include "simulation/surface_columns.hpp"
+#include "surface/water_columns.hpp"
 #include "values/body.hpp"
 #include "values/body_load.hpp"
 

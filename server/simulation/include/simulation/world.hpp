@@ -14,6 +14,7 @@
 #include "simulation/oil_spill.hpp"
 #include "simulation/probes.hpp"
 #include "simulation/recovery_point.hpp"
+#include "simulation/water_surface.hpp"
 #include "surface/surface_extractor.hpp"
 #include "values/command.hpp"
 #include "values/effort.hpp"
@@ -107,6 +108,8 @@ class World {
   [[nodiscard]] const FluidState& fluid() const { return fluid_; }
   [[nodiscard]] const Eigen::Vector3d& origin() const { return origin_; }  ///< m, world
   [[nodiscard]] const Bodies& bodies() const { return bodies_; }
+  /// The waves around the patch.
+  [[nodiscard]] const WaveField& sea() const { return sea_; }
   /// What the probes read now, by id.
   [[nodiscard]] std::vector<ProbeReading> read_probes() const;
   [[nodiscard]] std::vector<std::uint32_t> probe_ids() const { return probes_.ids(); }
@@ -139,6 +142,8 @@ class World {
   Probes probes_;
   FluidState fluid_;
   double water_level_ = 0.0;
+  WaveField sea_;
+  mutable WaterSurface water_surface_;  ///< of the particles as they are; mutable: it measures when asked
   std::optional<Wind> wind_;
   CurrentDrive drive_;
   std::optional<Current> current_;  ///< that runs

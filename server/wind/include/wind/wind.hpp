@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/particles.hpp"
+#include "physics/surface_grid.hpp"
 #include "physics/task_pool.hpp"
 #include "wind/air.hpp"
 
@@ -48,26 +49,29 @@ class Wind {
   /// The push of the wind on the first `count` particles, once a step: an acceleration (m/s^2) that is added, or a
   /// velocity (m/s) with the paper's law.
   ///
-  /// The laws gust and stress sample the air on a horizontal grid of 2 d and interpolate linearly; depth is counted
-  /// from the water's surface above the particle, which is the highest particle of each grid cell plus d/2 (flying
-  /// drops left out), interpolated alike. Eddies shorter than about 10 d are smoothed (root mean square error of the
-  /// disturbance 2 % at l = 10 d). Each particle writes only its own entry: the same bits for any number of threads.
-  /// Particles with positions that are not finite are left alone.
-  void act(TaskPool& pool, std::span<const Float4> position, std::size_t count, double time,
+  /// The laws gust and stress sample the air at the centres of the surface's grid (2 d) and interpolate linearly; depth
+  /// is counted from that surface above the particle, interpolated alike (a dry cell takes the mean of the wet ones
+  /// around it, or the mean level). The paper's law does not look at the surface. Eddies shorter than about 10 d are
+  /// smoothed (root mean square error of the disturbance 2 % at l = 10 d). Each particle writes only its own entry: the
+  /// same bits for any number of threads. Particles with positions that are not finite are left alone.
+  /// @param surface  of the same particles; null is allowed where asks_surface(time) is false
+  void act(TaskPool& pool, const SurfaceGrid* surface, std::span<const Float4> position, std::size_t count, double time,
            std::span<Float4> acceleration, std::span<Float4> velocity);
+
+  /// Whether `act` at that time looks at the water's surface.
+  [[nodiscard]] bool asks_surface(double time) const;
 
   /// Depth at which the push of the law gust has fallen to 1/e of that at the surface, in spacings.
   static constexpr double kDecaySpacings = 4.614;
 
  private:
-  void push_surface(TaskPool& pool, std::span<const Float4> position, const Air::Moment& moment,
-                    std::span<Float4> acceleration);
+  void push_surface(TaskPool& pool, const SurfaceGrid& surface, std::span<const Float4> position,
+                    const Air::Moment& moment, std::span<Float4> acceleration);
   void push_as_printed(TaskPool& pool, std::span<const Float4> position, const Air::Moment& moment,
                        std::span<Float4> velocity) const;
 
   WindSite site_;
   Air air_;
-  std::vector<float> height_;   ///< highest particle of each cell; scratch
   std::vector<Float4> column_;  ///< push at the surface and, in w, the water's surface of each cell; scratch
 };
 
