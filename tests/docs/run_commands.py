@@ -11,7 +11,7 @@ A command is a line of a block that is marked as sh. A block runs in one shell, 
   - where something runs in the background, a line that fails is tried again for some seconds: a server needs a moment.
 A block after the comment <!-- long --> takes longer than a test may: its lines are stopped after a few seconds, and
 what they make of that does not count.
-Scripts of deploy/ are not run, since they build and test all of the project: tests/integration runs the demo, and the
+Scripts of deploy/ and .ci/ are not run, since they build and test all of the project: tests/integration runs the demo, and the
 suite of accuracy has a test of its own.
 
 Beside the blocks, each command that the text shows in single backquotes is held against the program's own --help: the
@@ -123,7 +123,7 @@ class Shell:
                 ["bash", "-c", f"echo -n {export[2]}"], cwd=self.folder, env=self.environment, check=True,
                 capture_output=True, text=True).stdout
             return
-        if command.startswith("deploy/"):
+        if command.startswith(("deploy/", ".ci/")):
             return
         if command.endswith("&"):
             self.background.append(self.start("exec " + command[:-1]))
