@@ -14,7 +14,7 @@ layout(std140, binding = 0) uniform View {
                        // standard deviation of the folding
   vec4 sun;            // direction to the sun; w: strength
   vec4 wave_axis;      // main direction of the waves x, y; ripple slope scale; wind speed (m/s)
-  vec4 ripple_eye;     // the eye in wave axes modulo the detail's period; unused
+  vec4 ripple_eye;     // the eye modulo the detail's period: in wave axes, and in world axes (x, y)
   vec4 ripple_shift;   // drift of the two ripple layers, wave axes, m
   vec4 ship;           // own ship: x, y relative to the eye, cos and sin of its heading
   vec4 ship_size;      // half length, half beam (0: no ship), speed ahead (m/s), path curvature (1/m, positive to port)

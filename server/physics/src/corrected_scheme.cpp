@@ -7,17 +7,19 @@
 
 namespace pelagos {
 
-// Both of the paper's constraints, ordered so that waves live. With plain kernel gradients the discrete divergence of a
-// velocity that has none is not zero near the surface and in disorder: the constraint then blocks the wave and turns
-// it into noise of the particles. Here J is exact for linear velocities (corrected gradients, Bonet and Lok 1999), its
-// adjoint J' is exact as well, and gravity is inside the one velocity solve, whose pressure acts at the positions that
-// the step reaches, so the time integration is symplectic for waves (the hybrid's pressure at x* damps them by
-// pi omega dt a period).
-//   repair   x += u with delta(x + u) <= 1, plain gradients, velocity untouched; only when the mean compression is
-//            above the tolerance                                                                    paper, eq. 21 to 30
-//   solve    v += u / dt with J v <= 0; what is compressed by more than 0.2 % is also driven apart      paper, eq. 9 to
-//   20 filter   v_i += dt s sqrt(g/d) sum_j V W_ij [v_j - v_i + (G_i + G_j)/2 (x_i - x_j)]: takes out what no linear
-//            velocity explains, the noise of single particles
+// Both of the paper's constraints, in an order in which waves keep their height.
+//   repair   x += u with delta(x + u) <= 1, by plain gradients; the velocity stays. Only where the mean compression is
+//            above the tolerance. Paper, eq. 21 to 30.
+//   solve    v += u / dt with J v <= 0, gravity inside. Particles that are compressed by more than 0.2 % are also
+//            driven apart. Paper, eq. 9 to 20.
+//   filter   v_i += dt s sqrt(g/d) sum_j V W_ij [v_j - v_i + (G_i + G_j)/2 (x_i - x_j)]
+//            This leaves linear velocities as they are and takes out the noise of single particles.
+//
+// Corrected gradients (Bonet and Lok 1999) make J exact for linear velocities, and J' is its exact adjoint. With plain
+// kernel gradients J v is not zero near the surface and in disorder although the flow has no divergence: the constraint
+// then stops the wave and turns its energy into noise of the particles.
+// The pressure of the velocity solve acts at the positions that the step reaches, so the time integration is symplectic
+// for waves. The hybrid's pressure acts at x*, which damps a wave by pi omega dt a period.
 
 namespace {
 

@@ -5,14 +5,13 @@
 
 namespace pelagos {
 
-// Deep water under the corrected scheme. Corrected gradients make forces that are no exact gradient of an energy; what
-// they do to single particles grows with the pressure, so with the depth in spacings, and explicit steps that are right
-// for shallow water are too long for it. Still water 60 layers deep and as wide fell into itself within a second (7 %
-// of compression): the repair lifted the whole column, which disordered the particles, which made the velocity solve
-// leave more to repair. What prevents it, found by experiment: steps in inverse proportion to the depth, and a stronger
-// filter (test: HardDepth.AStillSeaOfSixtyAndEightyLayersStaysWhole; table: pelagos-hard deep). Fewer iterations a step
-// make up for most of the shorter steps. Up to 30 layers nothing changes. The other schemes are what they are in the
-// literature.
+// Deep water under the corrected scheme. Its forces are not the exact gradient of an energy. Their error at single
+// particles grows with the pressure, that is with the depth in spacings, and steps that suit shallow water are too long
+// for deep water: the repair lifts the whole column and disorders the particles, and the next velocity solve leaves
+// more compression to repair, until the column collapses. Shorter steps and a stronger filter prevent this; both were
+// found by experiment (test: HardDepth.AStillSeaOfSixtyAndEightyLayersStaysWhole; table: pelagos-hard deep). A shorter
+// step needs fewer iterations, which saves most of its cost. Up to 30 layers nothing changes. The other schemes stay
+// as the literature has them.
 
 /// What changes at a depth.
 struct DepthMeasures {

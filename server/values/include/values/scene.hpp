@@ -71,9 +71,9 @@ struct SolverSettings {
   double filter = 3.0;      ///< corrected: strength of the velocity filter, no unit
 };
 
-/// The settings of a solver where a scene says nothing else. The corrected scheme repairs positions only when it must,
-/// and always takes two iterations for the velocity: with one, waves lose 2 % a period in the long run instead of 0.2
-/// %.
+/// The settings of a solver where a scene says nothing else. The corrected scheme repairs positions only when it must.
+/// It takes at least two iterations for the velocity: over many periods a wave loses 2 % of its height a period with
+/// one iteration and 0.2 % with two.
 [[nodiscard]] inline SolverSettings default_solver(SolverKind kind) {
   SolverSettings solver;
   solver.kind = kind;
