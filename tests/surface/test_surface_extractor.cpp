@@ -272,6 +272,27 @@ TEST(SurfaceExtractor, FoamArisesWhereWaterCollidesAndDies) {
     EXPECT_NEAR(after.particles[n].foam, crash.particles[n].foam * std::exp(-1.0), 1.01);  // two roundings to bytes
 }
 
+/// Water that flows in has new ids for ever: what is remembered is bounded by what foams, not by the ids.
+TEST(SurfaceExtractor, FoamIsKeptForParticlesOfAnyIdAndForgotten) {
+  World world(make_block(10, 6), make_tank(10, 8));
+  SurfaceExtractor extractor({}, kScales);
+  for (std::size_t i = 0; i < world.fluid.count; ++i) {
+    world.fluid.id[i] = 4'000'000'000U - static_cast<std::uint32_t>(i);
+    world.fluid.velocity[i] = {world.fluid.position[i].x < 0.55f ? 1.5f : -1.5f, 0, 0, 0};
+  }
+  const Result crash = extract(extractor, world, 0.2);
+  EXPECT_GT(extractor.foam().size(), 10U);
+  EXPECT_LE(extractor.foam().size(), crash.particles.size());
+  for (Float4& v : world.fluid.velocity) v = {};
+  const Result after = extract(extractor, world, 0.2 + 0.8077);
+  for (std::size_t n = 0; n < after.indices.size(); ++n)
+    EXPECT_NEAR(after.particles[n].foam, crash.particles[n].foam * std::exp(-1.0), 1.01);
+  for (std::size_t i = 0; i < world.fluid.count; ++i) world.fluid.id[i] = static_cast<std::uint32_t>(i);
+  for (const auto& particle : extract(extractor, world, 1.1).particles) EXPECT_EQ(particle.foam, 0) << "others' foam";
+  static_cast<void>(extract(extractor, world, 20.0));
+  EXPECT_TRUE(extractor.foam().empty());
+}
+
 TEST(SurfaceExtractor, CopesWithNoWater) {
   const World world({});
   const Result result = extract(world);

@@ -67,6 +67,12 @@ void add_run_options(CLI::App& run, RunArguments& arguments) {
   run.add_flag("--surface", arguments.options.surface, "Also extract the surface at each frame, as the server does");
 }
 
+std::string hash_text(std::uint64_t hash) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
 nlohmann::ordered_json to_json(const Scene& scene, const RunArguments& arguments, const BenchResult& r) {
   const auto steps = static_cast<double>(std::max<std::int64_t>(r.steps, 1));
   nlohmann::ordered_json json;
@@ -97,9 +103,9 @@ nlohmann::ordered_json to_json(const Scene& scene, const RunArguments& arguments
   json["peak_memory_bytes"] = r.peak_memory_bytes;
   for (std::size_t s = 0; s < kStageCount; ++s)
     if (r.stages_ms[s] > 0.0) json["stages_ms"][kStageNames[s]] = r.stages_ms[s];
-  char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(r.state_hash));
-  json["state_hash"] = hash;
+  json["saved_state"] = {{"bytes", r.state_bytes}, {"save_ms", r.save_ms}, {"load_ms", r.load_ms}};
+  json["state_hash"] = hash_text(r.state_hash);
+  json["world_hash"] = hash_text(r.world_hash);
   return json;
 }
 

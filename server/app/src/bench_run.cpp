@@ -4,8 +4,10 @@
 #include <stdexcept>
 
 #include "command_queue.hpp"
+#include "fields/field_hash.hpp"
 #include "machine.hpp"
 #include "monotonic_clock.hpp"
+#include "simulation/state_file.hpp"
 #include "simulation/world.hpp"
 #include "values/snapshot.hpp"
 
@@ -60,6 +62,17 @@ class Tally {
   std::array<double, kStageCount> stage_ns_{};
 };
 
+/// What a saved state costs; the world is afterwards as it was.
+void measure_state(World& world, BenchResult& result) {
+  const std::int64_t begin = monotonic_ns();
+  const std::vector<std::byte> file = save_state(world);
+  const std::int64_t saved = monotonic_ns();
+  if (const auto refusal = load_state(file, world)) throw std::logic_error(*refusal);
+  result.load_ms = static_cast<double>(monotonic_ns() - saved) * 1e-6;
+  result.save_ms = static_cast<double>(saved - begin) * 1e-6;
+  result.state_bytes = file.size();
+}
+
 }  // namespace
 
 BenchResult run_bench(const Scene& scene, const BenchOptions& options, const std::function<void(double)>& progress) {
@@ -94,6 +107,8 @@ BenchResult run_bench(const Scene& scene, const BenchOptions& options, const std
   result.boundary_particles = world.fluid().walls.count;
   result.peak_memory_bytes = peak_memory();
   result.state_hash = state_hash(world.fluid().particles);
+  result.world_hash = hash_fields(world.state());
+  measure_state(world, result);
   result.start_notes = world.start_notes();
   return result;
 }

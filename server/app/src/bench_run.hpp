@@ -35,7 +35,10 @@ struct BenchResult {
   std::uint64_t outside_peak = 0, not_finite_peak = 0;  ///< particles
   std::uint64_t peak_memory_bytes = 0;
   std::array<double, kStageCount> stages_ms{};  ///< mean by step
-  std::uint64_t state_hash = 0;
+  std::uint64_t state_hash = 0;                 ///< of the water's positions and velocities
+  std::uint64_t world_hash = 0;                 ///< of the whole state
+  double save_ms = 0, load_ms = 0;              ///< of the state after the run, to bytes and back
+  std::size_t state_bytes = 0;
   std::vector<std::string> start_notes;  ///< what is allowed, but hardly meant (World::start_notes)
 };
 

@@ -82,4 +82,10 @@ std::size_t remove_particles(TaskPool& pool, FluidState& state, const std::funct
   return removed;
 }
 
+void restore_water(FluidState& state, const WaterState& water) {
+  static_cast<WaterState&>(state) = water;
+  forget_step(state);
+  state.coupling.contacts.clear();
+}
+
 }  // namespace pelagos

@@ -86,6 +86,8 @@ struct BodyContacts::World {
   void tame(btPersistentManifold& manifold, double deepest) const;
   /// No contact makes a body faster than everything that moved before it, and the push out of an overlap.
   void bound_speeds(double limit) const;
+  /// All pairs that are near, in the order of their bodies: Bullet's own order depends on how they came near.
+  [[nodiscard]] std::vector<btPersistentManifold*> manifolds();
   void publish(btRigidBody& body, int group, int mask) { bullet.addCollisionObject(&body, group, mask); }
 
   std::unique_ptr<btCollisionShape> hull_shape(const TriangleMesh& mesh, const Hull& hull) const {
@@ -146,6 +148,48 @@ struct BodyContacts::World {
 namespace {
 
 bool gives_way(const btRigidBody& body) { return body.getInvMass() > 0.0; }
+/// Numbers of a pair's bodies, by their order of addition.
+std::pair<int, int> bodies_of(const btPersistentManifold& manifold) {
+  return {manifold.getBody0()->getWorldArrayIndex(), manifold.getBody1()->getWorldArrayIndex()};
+}
+
+ContactPoint from_bullet(const btManifoldPoint& p) {
+  ContactPoint point;
+  point.local_a = from_bullet(p.m_localPointA);
+  point.local_b = from_bullet(p.m_localPointB);
+  point.world_a = from_bullet(p.m_positionWorldOnA);
+  point.world_b = from_bullet(p.m_positionWorldOnB);
+  point.normal = from_bullet(p.m_normalWorldOnB);
+  point.lateral = {from_bullet(p.m_lateralFrictionDir1), from_bullet(p.m_lateralFrictionDir2)};
+  point.distance = p.m_distance1;
+  point.impulse = {p.m_appliedImpulse, p.m_appliedImpulseLateral1, p.m_appliedImpulseLateral2};
+  point.previous_error = p.m_prevRHS;
+  point.place = {p.m_partId0, p.m_index0, p.m_partId1, p.m_index1};
+  point.flags = p.m_contactPointFlags;
+  point.age = p.m_lifeTime;
+  return point;
+}
+
+btManifoldPoint to_bullet(const ContactPoint& point) {
+  btManifoldPoint p(to_bullet(point.local_a), to_bullet(point.local_b), to_bullet(point.normal), point.distance);
+  p.m_positionWorldOnA = to_bullet(point.world_a);
+  p.m_positionWorldOnB = to_bullet(point.world_b);
+  p.m_combinedFriction = kFriction * kFriction;  // of two bodies, as Bullet combines them
+  p.m_lateralFrictionDir1 = to_bullet(point.lateral[0]);
+  p.m_lateralFrictionDir2 = to_bullet(point.lateral[1]);
+  p.m_appliedImpulse = point.impulse[0];
+  p.m_appliedImpulseLateral1 = point.impulse[1];
+  p.m_appliedImpulseLateral2 = point.impulse[2];
+  p.m_prevRHS = point.previous_error;
+  p.m_partId0 = point.place[0];
+  p.m_index0 = point.place[1];
+  p.m_partId1 = point.place[2];
+  p.m_index1 = point.place[3];
+  p.m_contactPointFlags = point.flags;
+  p.m_lifeTime = point.age;
+  return p;
+}
+
 bool is_led(const btRigidBody& body) { return gives_way(body) && body.getLinearFactor().x() == 0.0; }
 bool goes_anywhere(const btRigidBody& body) { return gives_way(body) && !is_led(body); }
 
@@ -162,6 +206,15 @@ void BodyContacts::World::tame(btPersistentManifold& manifold, double deepest) c
     else if (point.getDistance() < -deepest)
       point.setDistance(-deepest);
   }
+}
+
+std::vector<btPersistentManifold*> BodyContacts::World::manifolds() {
+  std::vector<btPersistentManifold*> all;
+  for (int k = 0; k < dispatcher.getNumManifolds(); ++k) all.push_back(dispatcher.getManifoldByIndexInternal(k));
+  std::sort(all.begin(), all.end(), [](const btPersistentManifold* one, const btPersistentManifold* other) {
+    return bodies_of(*one) < bodies_of(*other);
+  });
+  return all;
 }
 
 void BodyContacts::World::bound_speeds(double limit) const {
@@ -233,10 +286,8 @@ void BodyContacts::place_free(std::size_t hull, const FreeBody& body) {
 bool BodyContacts::resolve(double dt) {
   World& w = *world_;
   w.bullet.performDiscreteCollisionDetection();
-  const int count = w.dispatcher.getNumManifolds();
   std::vector<btPersistentManifold*> touching;
-  for (int k = 0; k < count; ++k) {
-    btPersistentManifold* manifold = w.dispatcher.getManifoldByIndexInternal(k);
+  for (btPersistentManifold* manifold : w.manifolds()) {
     w.tame(*manifold, w.push_out_speed() * dt / kPushOut);
     if (manifold->getNumContacts() > 0) touching.push_back(manifold);
   }
@@ -254,6 +305,30 @@ bool BodyContacts::resolve(double dt) {
                       settings, nullptr, &w.dispatcher);
   w.bound_speeds(fastest + w.push_out_speed());
   return true;
+}
+
+ContactState BodyContacts::state() const {
+  ContactState state;
+  for (const btPersistentManifold* manifold : world_->manifolds()) {
+    if (manifold->getNumContacts() == 0) continue;
+    const auto [a, b] = bodies_of(*manifold);
+    ContactPair& pair = state.pairs.emplace_back(ContactPair{a, b, {}});
+    for (int k = 0; k < manifold->getNumContacts(); ++k)
+      pair.points.push_back(from_bullet(manifold->getContactPoint(k)));
+  }
+  return state;
+}
+
+void BodyContacts::restore(const ContactState& state) {
+  World& w = *world_;
+  w.bullet.performDiscreteCollisionDetection();  // the pairs that are near
+  for (btPersistentManifold* manifold : w.manifolds()) {
+    while (manifold->getNumContacts() > 0) manifold->removeContactPoint(manifold->getNumContacts() - 1);
+    const auto bodies = bodies_of(*manifold);
+    for (const ContactPair& pair : state.pairs)
+      if (bodies == std::pair{pair.a, pair.b})
+        for (const ContactPoint& point : pair.points) manifold->addManifoldPoint(to_bullet(point));
+  }
 }
 
 std::vector<BodyContacts::Overlap> BodyContacts::hull_overlaps(double depth) {

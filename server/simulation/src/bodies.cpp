@@ -1,6 +1,7 @@
 #include "simulation/bodies.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include <fmt/format.h>
 
@@ -437,22 +438,32 @@ void Bodies::relocate_water(const Body& body, const BodyState& before, const Eig
   }
 }
 
-std::vector<Bodies::Motion> Bodies::motions() const {
-  std::vector<Motion> motions;
-  motions.reserve(bodies_.size());
-  for (const Body& body : bodies_) motions.push_back({body.state, body.driven, body.free, body.meter, body.drift});
-  return motions;
+BodiesState Bodies::state() const {
+  BodiesState state;
+  state.bodies.assign(bodies_.begin(), bodies_.end());
+  if (contacts_) state.contacts = contacts_->state();
+  state.drift = surface_drift_;
+  return state;
 }
 
-void Bodies::restore(const std::vector<Motion>& motions, const Eigen::Vector3d& origin, FluidState& fluid) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    bodies_[i].state = motions[i].state;
-    bodies_[i].driven = motions[i].driven;
-    bodies_[i].free = motions[i].free;
-    bodies_[i].meter = motions[i].meter;
-    bodies_[i].drift = motions[i].drift;
-  }
-  if (!bodies_.empty()) place(origin, fluid);
+bool Bodies::accepts(const BodiesState& state) const {
+  return std::equal(bodies_.begin(), bodies_.end(), state.bodies.begin(), state.bodies.end(),
+                    [](const Body& body, const BodyDynamics& motion) {
+                      return body.state.body == motion.state.body && body.free.has_value() == motion.free.has_value() &&
+                             body.driven.has_value() == motion.driven.has_value();
+                    });
+}
+
+void Bodies::restore(const BodiesState& state, const Eigen::Vector3d& origin, FluidState& fluid) {
+  assert(accepts(state));
+  for (std::size_t i = 0; i < bodies_.size(); ++i) static_cast<BodyDynamics&>(bodies_[i]) = state.bodies[i];
+  surface_drift_ = state.drift;
+  if (bodies_.empty()) return;
+  place(origin, fluid);
+  measure_holds(origin, fluid);
+  if (!contacts_) return;
+  place_contacts();
+  contacts_->restore(state.contacts);
 }
 
 }  // namespace pelagos

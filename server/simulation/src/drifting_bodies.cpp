@@ -98,7 +98,7 @@ DriftSea Bodies::sea_of(const Body& body, double time, const Current& current, d
   });
   const double depth = std::max(0.0, water_level - body.free->centre().z());
   sea.rate = current.target().profile(depth) * current.surface_rate_at(time).head<2>();
-  sea.water = surface_drift_;
+  sea.water = surface_drift_.velocity;
   for (std::size_t axis = 0; axis < 2; ++axis) sea.acts[axis] = !current.moves_water()[axis];
   sea.relaxation = current.target().relaxation;
   return sea;
@@ -107,17 +107,17 @@ DriftSea Bodies::sea_of(const Body& body, double time, const Current& current, d
 void Bodies::drift(double dt, const BodySea& at, FluidState& fluid) {
   const bool acts = at.current != nullptr && !(at.current->moves_water()[0] && at.current->moves_water()[1]) &&
                     std::any_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.drifts(); });
-  if (!acts && !drifting_) return;
-  drifting_ = acts;
+  if (!acts && !surface_drift_.acts) return;
+  surface_drift_.acts = acts;
   if (!acts) {
     for (Body& body : bodies_) body.drift = {}, body.drift_force.setZero();
     return;
   }
   if (!at.wind_drags) {
-    surface_drift_.setZero();
-  } else if (at.time >= surface_due_) {
-    surface_drift_ = drift_of_surface(*at.surface, fluid);
-    surface_due_ = at.time + kWatchInterval;
+    surface_drift_.velocity.setZero();
+  } else if (at.time >= surface_drift_.due) {
+    surface_drift_.velocity = drift_of_surface(*at.surface, fluid);
+    surface_drift_.due = at.time + kWatchInterval;
   }
   std::vector<Eigen::Vector2d> on_water(fluid.coupling.bodies.size(), Eigen::Vector2d::Zero());
   std::size_t coupled = 0;

@@ -157,11 +157,11 @@ std::vector<std::string> OilSpill::sources() const {
   return names;
 }
 
-OilSpill::State OilSpill::state() const {
+OilSpillState OilSpill::state() const {
   return {layer_.state(), sources_, particles_, displaced_, held_back_, since_exchange_, since_film_};
 }
 
-void OilSpill::restore(const State& state) {
+void OilSpill::restore(const OilSpillState& state) {
   layer_.restore(state.layer);
   sources_ = state.sources;
   particles_ = state.particles;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "fields/field_hash.hpp"
 #include "mirrored_faces.hpp"
 #include "simulation/basins.hpp"
 #include "simulation/fluid_setup.hpp"
@@ -92,24 +93,22 @@ World::World(const Scene& scene, const WorldOptions& options)
     fluid_.particles.acceleration[i] = {0.0F, 0.0F, static_cast<float>(-scene_.gravity), 0.0F};
   if (scene_.current) start_current();
   if (scene_.oil) spill_.emplace(scene_, fluid_, origin_, water_level_);
-  if (scene_.on_fault == FaultPolicy::kRestore) {
-    recovery_.emplace(clock_);
-    keep_recovery_point();
-  }
+  keep_recovery_point();
 }
 
 void World::keep_recovery_point() {
-  if (!recovery_) return;
-  recovery_->keep(fluid_, bodies_, clock_, largest_speed_);
-  if (spill_) spill_before_.emplace(spill_->state());
+  if (scene_.on_fault == FaultPolicy::kRestore) recovery_ = state();
 }
 
 StepFault World::recover() {
-  if (!recovery_ || ++faults_in_row_ == kMostFaults) return StepFault::kFatal;
-  recovery_->restore(origin_, fluid_, bodies_, clock_, largest_speed_);
-  if (spill_before_) spill_->restore(*spill_before_);
-  water_surface_.forget();
-  careful_until_ = clock_.time() + kCarefulTime;
+  if (!recovery_ || ++faults_.in_row == kMostFaults) return StepFault::kFatal;
+  FaultState faults = faults_;
+  const std::uint64_t made = step_;
+  restore(*recovery_);
+  step_ = made;
+  faults.careful_until = clock_.time() + kCarefulTime;
+  ++faults.restored;
+  faults_ = faults;
   return StepFault::kRestored;
 }
 
@@ -179,20 +178,20 @@ WorldStep World::advance() {
   largest_speed_ = report.largest_speed;
   step.frame_reached = clock_.advance(dt);
   if (step.fault == StepFault::kFatal) return step;
-  if (clock_.time() >= careful_until_) faults_in_row_ = 0;
+  if (clock_.time() >= faults_.careful_until) faults_.in_row = 0;
   keep_recovery_point();
   return step;
 }
 
 BodySea World::body_sea(double time) const {
   const bool drags = wind_ && wind_->air().settings_at(time).law == WindLaw::kStress;
-  return {current_ ? &*current_ : nullptr, drags, time, water_level_, &water_surface_};
+  return {current_.running ? &*current_.running : nullptr, drags, time, water_level_, &water_surface_};
 }
 
 double World::choose_time_step() const {
   const double speed = std::max(largest_speed_, bodies_.largest_speed());
-  const double longest = std::ldexp(max_step_, -faults_in_row_);  // half for each fault in a row
-  const double cfl = std::ldexp(scene_.time_step.cfl, -faults_in_row_);
+  const double longest = std::ldexp(max_step_, -faults_.in_row);  // half for each fault in a row
+  const double cfl = std::ldexp(scene_.time_step.cfl, -faults_.in_row);
   const double step = admissible_time_step(fluid_.parameters, cfl, longest, speed);
   return clock_.choose_step(std::max(step, kSmallestStep * longest));
 }
@@ -216,10 +215,67 @@ void World::fill_snapshot(Snapshot& snapshot, StepReport& report) {
 
 std::vector<ProbeReading> World::read_probes() const {
   std::vector<ProbeReading> readings =
-      probes_.read(fluid_, water_surface_, sea_, bodies_, origin_, current_, clock_.time());
+      probes_.read(fluid_, water_surface_, sea_, bodies_, origin_, current_.running, clock_.time());
   if (wind_)
     for (ProbeReading& reading : readings) reading.air = wind_->air().velocity_at(reading.position, clock_.time());
   return readings;
+}
+
+WorldState World::state() const {
+  WorldState state;
+  state.step = step_;
+  state.clock = clock_;
+  state.water = fluid_;
+  state.bodies = bodies_.state();
+  if (spill_) state.oil = spill_->state();
+  if (wind_) state.wind = wind_->air();
+  state.current = current_;
+  state.probes = probes_.settings();
+  state.foam = surface_.foam();
+  state.effort = effort();
+  state.faults = faults_;
+  state.largest_speed = largest_speed_;
+  return state;
+}
+
+bool World::accepts(const WorldState& state) const {
+  return state.oil.has_value() == spill_.has_value() && bodies_.accepts(state.bodies) &&
+         state.water.particles.phase.empty() == fluid_.particles.phase.empty();
+}
+
+void World::restore(const WorldState& state) {
+  step_ = state.step;
+  clock_ = state.clock;
+  restore_water(fluid_, state.water);
+  bodies_.restore(state.bodies, origin_, fluid_);
+  if (spill_) spill_->restore(*state.oil);
+  wind_.reset();
+  if (state.wind) wind_.emplace(wind_site(scene_, origin_, water_level_), *state.wind);
+  current_ = state.current;
+  probes_.restore(state.probes);
+  surface_.restore_foam(state.foam);
+  set_effort(state.effort);
+  water_surface_.forget();
+  faults_ = state.faults;
+  largest_speed_ = state.largest_speed;
+}
+
+std::uint64_t World::scene_hash() const {
+  ByteHash hash;
+  const auto add = [&hash](const auto& value) {
+    const std::uint64_t part = hash_fields(value);
+    hash.add(&part, sizeof part);
+  };
+  add(scene_.seed);
+  add(std::array{scene_.frame_interval, scene_.gravity, scene_.particle_spacing, fluid_.parameters.support_radius,
+                 fluid_.parameters.viscosity, fluid_.parameters.filter, fluid_.parameters.rest_density});
+  add(fluid_.parameters.scheme);
+  add(scene_.tank_edges);
+  add(std::vector(fluid_.walls.position.begin(),
+                  fluid_.walls.position.begin() + static_cast<std::ptrdiff_t>(fluid_.static_walls)));
+  for (const BodySettings& body : scene_.bodies) add(std::array{body.id, static_cast<std::uint32_t>(body.drive)});
+  add(std::uint64_t{bodies_.sample_count()});
+  return hash.value();
 }
 
 SceneInfo World::describe() const {

@@ -49,11 +49,13 @@ std::optional<std::string> World::apply(const Command& command) {
     Refusal operator()(const RemoveProbe& c) const { return world.probes_.remove(c.id); }
     Refusal operator()(const OilCommand& c) const { return world.apply_to_oil(c); }
   };
-  return std::visit(Visitor{*this}, command);
+  auto refusal = std::visit(Visitor{*this}, command);
+  if (!refusal) keep_recovery_point();  // a state that comes back has what was done to it
+  return refusal;
 }
 
 std::optional<std::string> World::apply_to_oil(const OilCommand& command) {
-  auto refusal = std::visit(
+  return std::visit(
       [&](const auto& c) -> std::optional<std::string> {
         if constexpr (std::is_same_v<std::decay_t<decltype(c)>, ReleaseOil>)
           return spill_->apply(c, bodies_);
@@ -61,8 +63,6 @@ std::optional<std::string> World::apply_to_oil(const OilCommand& command) {
           return spill_->apply(c);
       },
       command);
-  if (spill_before_) spill_before_.emplace(spill_->state());  // a state that comes back has what was done to it
-  return refusal;
 }
 
 void World::advance_oil(double dt, double time, StepReport& report) {
@@ -70,7 +70,7 @@ void World::advance_oil(double dt, double time, StepReport& report) {
   const StageScope scope(report.times, options_.clock, Stage::kOil);
   static const SurfaceGrid nothing;
   const SurfaceGrid& surface = spill_->asks_surface() ? water_surface_.grid_with_velocities(fluid_) : nothing;
-  const SpillSea sea{bodies_, surface, wind_ ? &wind_->air() : nullptr, current_ ? &*current_ : nullptr, time};
+  const SpillSea sea{bodies_, surface, wind_ ? &wind_->air() : nullptr, current_.running ? &*current_.running : nullptr, time};
   spill_->advance(dt, sea, fluid_);
 }
 
@@ -105,37 +105,37 @@ Effort World::effort() const {
 }
 
 void World::set_current(const CurrentSettings& current, double ramp_seconds) {
-  if (!current_) current_.emplace(water_level_, drive_.moves_water());
-  current_->set(current, clock_.time(), ramp_seconds);
-  slowing_.reset();
+  if (!current_.running) current_.running.emplace(water_level_, drive_.moves_water());
+  current_.running->set(current, clock_.time(), ramp_seconds);
+  current_.slowing.reset();
 }
 
 void World::clear_current() {
-  if (!current_) return;
-  CurrentSettings none = current_->target();
+  if (!current_.running) return;
+  CurrentSettings none = current_.running->target();
   none.velocity.setZero();
-  slowing_ = *std::exchange(current_, std::nullopt);
-  slowing_->set(none, clock_.time(), 0.0);
-  slowing_until_ = clock_.time() + kSlowingTimes * none.relaxation;
+  current_.slowing = *std::exchange(current_.running, std::nullopt);
+  current_.slowing->set(none, clock_.time(), 0.0);
+  current_.slowing_until = clock_.time() + kSlowingTimes * none.relaxation;
 }
 
 std::optional<CurrentSettings> World::current() const {
-  if (!current_) return std::nullopt;
-  return current_->settings_at(clock_.time());
+  if (!current_.running) return std::nullopt;
+  return current_.running->settings_at(clock_.time());
 }
 
 void World::start_current() {
   set_current(*scene_.current, 0.0);
   FluidParticles& p = fluid_.particles;
-  if (drive_.any()) drive_.start(*pool_, *current_, clock_.time(), p.position, p.count, p.velocity);
-  bodies_.start_drift(*current_, clock_.time(), water_level_, fluid_.parameters.rest_density);
+  if (drive_.any()) drive_.start(*pool_, *current_.running, clock_.time(), p.position, p.count, p.velocity);
+  bodies_.start_drift(*current_.running, clock_.time(), water_level_, fluid_.parameters.rest_density);
   if (!bodies_.empty()) bodies_.place(origin_, fluid_);
   largest_speed_ = measure().largest_speed;
 }
 
 void World::drive_current(double time, StepReport& report) {
-  if (slowing_ && clock_.time() >= slowing_until_) slowing_.reset();
-  const std::optional<Current>& current = current_ ? current_ : slowing_;
+  if (current_.slowing && clock_.time() >= current_.slowing_until) current_.slowing.reset();
+  const std::optional<Current>& current = current_.running ? current_.running : current_.slowing;
   if (!current || !drive_.any()) return;
   const StageScope scope(report.times, options_.clock, Stage::kCurrent);
   FluidParticles& p = fluid_.particles;

@@ -22,7 +22,7 @@ constexpr float kFewNeighbors = 12.0f;
 // stays below 0.2, the shear of unbroken waves below 0.1.
 constexpr float kFoamFrom = 0.4f, kFoamFull = 1.6f;
 constexpr float kFoamSeconds = 8.0f;                   ///< 1/e of its life, in sqrt(d/g): 2.6 s at d = 1 m
-constexpr std::uint32_t kMostRemembered = 1u << 26;    ///< ids beyond have foam without memory
+constexpr float kLeastFoam = 0.5f / 255.0f;            ///< less is not seen
 constexpr float kSprayFrom = 8.0f, kSprayFull = 2.0f;  ///< neighbours; an edge of the water has 11, a corner 7
 
 bool is_finite(const Float4& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
@@ -126,17 +126,49 @@ void SurfaceExtractor::collect(std::size_t count) {
 }
 
 void SurfaceExtractor::shape(const SurfaceInput& input, TaskPool& pool, std::vector<SurfaceParticle>& particles) {
-  std::uint32_t most = 0;
-  for (const std::uint32_t i : indices_) most = std::max(most, input.fluid.id[i]);
-  if (const std::size_t needed = std::min(most, kMostRemembered - 1) + std::size_t{1}; foam_.size() < needed)
-    foam_.resize(needed);
   particles.resize(indices_.size());
+  foam_now_.resize(indices_.size());
   pool.for_each_range(indices_.size(), kParticlesPerBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) particles[n] = shape_particle(input, indices_[n]);
+    for (std::size_t n = begin; n < end; ++n) particles[n] = shape_particle(input, indices_[n], foam_now_[n]);
   });
+  remember_foam(input);
 }
 
-SurfaceParticle SurfaceExtractor::shape_particle(const SurfaceInput& input, std::size_t i) {
+/// What is left at `time` of the foam that a particle had.
+float SurfaceExtractor::foam_left(std::uint32_t id, double time) const {
+  const auto before = std::lower_bound(foam_.begin(), foam_.end(), id,
+                                       [](const FoamOfParticle& foam, std::uint32_t other) { return foam.id < other; });
+  if (before == foam_.end() || before->id != id) return 0.0f;
+  return faded(*before, time);
+}
+
+float SurfaceExtractor::faded(const FoamOfParticle& foam, double time) const {
+  const auto time_unit = static_cast<float>(std::sqrt(scales_.spacing / scales_.gravity));
+  const float since = std::max(static_cast<float>(time) - foam.time, 0.0f);
+  return foam.amount * std::exp(-since / (kFoamSeconds * time_unit));
+}
+
+/// The foam of the particles at the surface as it is now, and of those that have left it as it was.
+void SurfaceExtractor::remember_foam(const SurfaceInput& input) {
+  const auto now = static_cast<float>(input.time);
+  const auto by_id = [](const FoamOfParticle& one, const FoamOfParticle& other) { return one.id < other.id; };
+  fresh_foam_.clear();
+  for (std::size_t n = 0; n < indices_.size(); ++n)
+    if (foam_now_[n] > kLeastFoam) fresh_foam_.push_back({input.fluid.id[indices_[n]], foam_now_[n], now});
+  std::sort(fresh_foam_.begin(), fresh_foam_.end(), by_id);
+  std::vector<FoamOfParticle> all;
+  all.reserve(fresh_foam_.size() + foam_.size());
+  for (const FoamOfParticle& foam : foam_)
+    if (faded(foam, input.time) > kLeastFoam &&
+        !std::binary_search(fresh_foam_.begin(), fresh_foam_.end(), foam, by_id))
+      all.push_back(foam);
+  const auto old = static_cast<std::ptrdiff_t>(all.size());
+  all.insert(all.end(), fresh_foam_.begin(), fresh_foam_.end());
+  std::inplace_merge(all.begin(), all.begin() + old, all.end(), by_id);
+  foam_.swap(all);
+}
+
+SurfaceParticle SurfaceExtractor::shape_particle(const SurfaceInput& input, std::size_t i, float& foam) const {
   const FluidParticles& fluid = input.fluid;
   const auto support_radius = static_cast<float>(scales_.support_radius);
   const Eigen::Vector3f place = vector_of(fluid.position[i]);
@@ -158,14 +190,8 @@ SurfaceParticle SurfaceExtractor::shape_particle(const SurfaceInput& input, std:
   particle.spray = to_byte((kSprayFrom - count) / (kSprayFrom - kSprayFull));
 
   const auto speed_unit = static_cast<float>(std::sqrt(scales_.gravity * scales_.spacing));
-  const auto time_unit = static_cast<float>(std::sqrt(scales_.spacing / scales_.gravity));
-  float foam = std::clamp((closing_speed(sums) / speed_unit - kFoamFrom) / (kFoamFull - kFoamFrom), 0.0f, 1.0f);
-  if (const std::uint32_t id = fluid.id[i]; id < foam_.size()) {
-    const auto now = static_cast<float>(input.time);
-    Foam& before = foam_[id];
-    foam = std::max(foam, before.amount * std::exp(-std::max(now - before.time, 0.0f) / (kFoamSeconds * time_unit)));
-    before = {foam, now};
-  }
+  foam = std::clamp((closing_speed(sums) / speed_unit - kFoamFrom) / (kFoamFull - kFoamFrom), 0.0f, 1.0f);
+  if (!foam_.empty()) foam = std::max(foam, foam_left(fluid.id[i], input.time));
   particle.foam = to_byte(foam);
   return particle;
 }

@@ -24,6 +24,14 @@ struct Boom {
   double draft = 0.5;                 ///< m, depth of the skirt, > 0
   double critical_speed = 0.36;       ///< m/s, U_c, > 0 (0.7 knots)
   double entrainment = 1.0;           ///< 0 (never leaks by entrainment) to 10
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("line", self.line);
+    visit("draft", self.draft);
+    visit("critical_speed", self.critical_speed);
+    visit("entrainment", self.entrainment);
+  }
 };
 
 /// A skimmer takes the oil under its disc, by the share of every element that lies there, at most at its nominal rate.
@@ -32,6 +40,13 @@ struct Skimmer {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< m, world, finite
   double radius = 2.0;                                 ///< m, > 0
   double rate = 20.0;                                  ///< m^3/h, >= 0: 0 is switched off
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("position", self.position);
+    visit("radius", self.radius);
+    visit("rate", self.rate);
+  }
 };
 
 struct SkimmerReport {
@@ -39,6 +54,14 @@ struct SkimmerReport {
   double emulsion_water = 0.0;  ///< m^3, recovered with it
   double present_rate = 0.0;    ///< m^3/h of oil and emulsion, in the last step
   bool dry = false;             ///< in the last step it was on and found less than a hundredth of what it can take
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("recovered", self.recovered);
+    visit("emulsion_water", self.emulsion_water);
+    visit("present_rate", self.present_rate);
+    visit("dry", self.dry);
+  }
 };
 
 /// What is wrong with it, naming field, value and what is allowed; empty if nothing is.

@@ -20,6 +20,20 @@ struct SlickElement {
   double film = 0.0;       ///< m, thickness of the slick at the place, emulsion water included
   double height = 0.0;     ///< m, world, of the water's surface at the place, where it was last known
   bool contained = false;  ///< held by a boom
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("position", self.position);
+    visit("size", self.size);
+    visit("mass", self.mass);
+    visit("evaporated", self.evaporated);
+    visit("evaporation_rest", self.evaporation_rest);
+    visit("water", self.water);
+    visit("age", self.age);
+    visit("film", self.film);
+    visit("height", self.height);
+    visit("contained", self.contained);
+  }
 };
 
 /// Radius of the disc that stands for an element: a lone element's oil spread evenly over it has Fay's area.

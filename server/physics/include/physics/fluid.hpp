@@ -51,16 +51,28 @@ struct ViscositySolve {
   std::vector<Float4> residual, direction, image;  ///< m/s
 };
 
-/// The water and its walls, with everything that a step reuses. Local coordinates: metres from the world's origin.
-struct FluidState {
-  FluidParameters parameters;
+/// What the water carries from step to step; everything else of a step can be computed again from it.
+struct WaterState {
   FluidParticles particles;
+  double last_dt = 0.0;       ///< s; 0 before the first step
+  std::uint32_t next_id = 0;  ///< of the next particle that is added
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("particles", self.particles);
+    visit("last_dt", self.last_dt);
+    visit("next_id", self.next_id);
+  }
+};
+
+/// The water and its walls, with everything that a step reuses. Local coordinates: metres from the world's origin.
+struct FluidState : WaterState {
+  FluidParameters parameters;
   BoundaryParticles walls;       ///< static samples first (cell order), moving ones after them (cell order)
   std::size_t static_walls = 0;  ///< how many of `walls` never move
   std::vector<Float4> moving_position, moving_velocity;  ///< as placed by whoever moves the bodies; V_b in w
   bool walls_move = false;  ///< some moving sample belongs to no body of `coupling`: its velocity counts by itself
   BodyCoupling coupling;    ///< rigid bodies among the moving samples
-  double last_dt = 0.0;     ///< s; 0 before the first step
   bool gradients_present = false;  ///< lists and gradients belong to the present positions (dfsph needs them)
   bool density_present = false;    ///< the densities do; else start_acceleration computes them
 
@@ -74,7 +86,6 @@ struct FluidState {
   PhasePair phases;                      ///< of the present order; scenes with oil only
   std::size_t oil_count = 0;             ///< oil particles at the last sort; 0: no pass knows of phases
   ViscositySolve viscosity;              ///< implicit viscosity only
-  std::uint32_t next_id = 0;             ///< of the next particle that is added
   std::vector<float> source;
   SolveWorkspace work;
   std::vector<std::uint32_t> order;
@@ -102,6 +113,10 @@ void add_particles(FluidState& state, std::span<const Float4> positions, std::sp
 /// Takes out every particle for whose index `unwanted` is true; the others keep their order and ids. Calls may come
 /// from several threads. Returns how many were taken out.
 std::size_t remove_particles(TaskPool& pool, FluidState& state, const std::function<bool(std::size_t)>& unwanted);
+
+/// Puts the water into a state that it, or water of the same parameters, was in. The next step makes the same bits as
+/// it made then. The samples of moving bodies are placed by whoever moves them.
+void restore_water(FluidState& state, const WaterState& water);
 
 /// Adds samples that never move (scenery) to the walls of the tank; V_b in w. Before the first step, without moving
 /// walls. They are sorted once, here: where no water is near they cost nothing, elsewhere as much as a wall.

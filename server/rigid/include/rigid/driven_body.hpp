@@ -15,6 +15,16 @@ struct DrivenBodySettings {
   double stopping_time = 1.0;  ///< s, 1/e of the way to rest
   double jump_distance = 5.0;  ///< spacings: a larger error is a teleport, not a motion
   double speed_cap = 0.4;      ///< spacings per time step that the body may show to the water
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("tracking_rate", self.tracking_rate);
+    visit("fresh_limit", self.fresh_limit);
+    visit("holding_limit", self.holding_limit);
+    visit("stopping_time", self.stopping_time);
+    visit("jump_distance", self.jump_distance);
+    visit("speed_cap", self.speed_cap);
+  }
 };
 
 /// A body that follows poses received from outside.
@@ -35,6 +45,7 @@ struct DrivenBodySettings {
 /// so that no sample moves faster than `speed_cap` spacings a step.
 class DrivenBody {
  public:
+  DrivenBody() = default;  ///< to be read into
   /// @param start    where the scene puts the body; its velocities are ignored
   /// @param spacing  particle spacing, m
   /// @param reach    distance of the farthest sample from the body's origin, m
@@ -50,6 +61,21 @@ class DrivenBody {
   [[nodiscard]] const BodyState& state() const { return state_; }
   /// How often the body has jumped so far. After a step in which it did, water may be inside the body.
   [[nodiscard]] std::uint64_t jumps() const { return jumps_; }
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("settings", self.settings_);
+    visit("spacing", self.spacing_);
+    visit("reach", self.reach_);
+    visit("state", self.state_);
+    visit("velocity", self.velocity_);
+    visit("angular_velocity", self.angular_velocity_);
+    visit("has_pose", self.has_pose_);
+    visit("pose", self.pose_);
+    visit("arrival", self.arrival_);
+    visit("clock_offset", self.clock_offset_);
+    visit("jumps", self.jumps_);
+  }
 
  private:
   /// Where the pose stream puts the body.

@@ -18,6 +18,7 @@ class FreeBody {
   /// Whether a step moves with the velocity before gravity has acted (as the corrected scheme moves water) or after.
   enum class Order { kDriftFirst, kGravityFirst };
 
+  FreeBody() = default;  ///< to be read into
   /// @param start  of the body's origin, velocities included
   FreeBody(const BodyState& start, const BodyMass& mass, Freedom freedom);
 
@@ -51,14 +52,25 @@ class FreeBody {
   [[nodiscard]] Eigen::Matrix3d inverse_inertia() const;
   [[nodiscard]] Eigen::Vector3d angular_momentum() const { return inertia() * angular_velocity_; }
 
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("mass", self.mass_);
+    visit("freedom", self.freedom_);
+    visit("centre", self.centre_);
+    visit("velocity", self.velocity_);
+    visit("angular_velocity", self.angular_velocity_);
+    visit("orientation", self.orientation_);
+  }
+
  private:
   [[nodiscard]] Eigen::Matrix3d inertia() const;  ///< world axes
   void drift(double dt);
 
   BodyMass mass_;
-  Freedom freedom_;
-  Eigen::Vector3d centre_, velocity_, angular_velocity_;
-  Eigen::Quaterniond orientation_;
+  Freedom freedom_ = Freedom::kAll;
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero(),
+                  angular_velocity_ = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond orientation_ = Eigen::Quaterniond::Identity();
 };
 
 }  // namespace pelagos

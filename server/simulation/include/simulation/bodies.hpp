@@ -33,6 +33,56 @@ struct BodySea {
   WaterSurface* surface = nullptr;   ///< never null in a world
 };
 
+/// What changes about a body.
+struct BodyDynamics {
+  BodyState state;
+  std::optional<DrivenBody> driven;  ///< follows poses
+  std::optional<FreeBody> free;      ///< is pushed; with `driven` too, that leads its place and heading
+  LoadMeter meter;
+  BodyDrift drift;
+  Eigen::Vector2d drift_force = Eigen::Vector2d::Zero();  ///< N, of a current that the particles do not make
+  bool held = false;                                      ///< free, but not yet
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("state", self.state);
+    visit("driven", self.driven);
+    visit("free", self.free);
+    visit("meter", self.meter);
+    visit("drift", self.drift);
+    visit("drift_force", self.drift_force);
+    visit("held", self.held);
+  }
+};
+
+/// The sea's drift at the surface that bodies share, looked at now and then.
+struct SurfaceDrift {
+  bool acts = false;                                   ///< on some body
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< m/s, as last looked at
+  double due = 0.0;                                    ///< s, when to look again
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("acts", self.acts);
+    visit("velocity", self.velocity);
+    visit("due", self.due);
+  }
+};
+
+/// All that changes about the bodies of a world, in the order of the scene.
+struct BodiesState {
+  std::vector<BodyDynamics> bodies;
+  ContactState contacts;
+  SurfaceDrift drift;
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("bodies", self.bodies);
+    visit("contacts", self.contacts);
+    visit("drift", self.drift);
+  }
+};
+
 /// The rigid bodies of a world and their samples in the water's walls: those of STATIC bodies among the walls that
 /// never move, the others among the moving ones.
 class Bodies {
@@ -118,34 +168,20 @@ class Bodies {
   /// Nothing where no body has that id.
   [[nodiscard]] std::optional<BodyState> state_of(std::uint32_t id) const;
 
-  /// What moves about the bodies, to come back to; their shapes stay.
-  struct Motion {
-    BodyState state;
-    std::optional<DrivenBody> driven;
-    std::optional<FreeBody> free;
-    LoadMeter meter;
-    BodyDrift drift;
-  };
-  [[nodiscard]] std::vector<Motion> motions() const;
-  void restore(const std::vector<Motion>& motions, const Eigen::Vector3d& origin, FluidState& fluid);
+  [[nodiscard]] BodiesState state() const;
+  /// Whether these can be states of these bodies.
+  [[nodiscard]] bool accepts(const BodiesState& state) const;
+  /// Goes on from a state of bodies of the same scene.
+  void restore(const BodiesState& state, const Eigen::Vector3d& origin, FluidState& fluid);
 
  private:
-  struct Body {
+  struct Body : BodyDynamics {
     BodySettings settings;
     BodyShape shape;
-    std::optional<DrivenBody> driven;  ///< follows poses
-    std::optional<FreeBody> free;      ///< is pushed; with `driven` too, that leads its place and heading
-    BodyState state;
-    LoadMeter meter;
     std::size_t first_sample = 0;  ///< among the moving ones
     std::size_t hull = 0;          ///< in `contacts_`, where there are any
     Hold hold;
     PartVolume hold_water;  ///< when loads were last taken
-
-    BodyDrift drift;
-    Eigen::Vector2d drift_force = Eigen::Vector2d::Zero();  ///< N, of a current that the particles do not make
-
-    bool held = false;  ///< free, but not yet
 
     [[nodiscard]] bool moves() const { return driven || free; }
     [[nodiscard]] bool gives_way() const { return free && !held; }
@@ -172,9 +208,7 @@ class Bodies {
   std::vector<float> volumes_;  ///< V_b of the moving samples, m^3
   std::vector<StaticSample> static_;
   std::optional<BodyContacts> contacts_;  ///< only where a body is free
-  bool drifting_ = false;
-  Eigen::Vector2d surface_drift_ = Eigen::Vector2d::Zero();  ///< m/s, as last looked at
-  double surface_due_ = 0.0;                                 ///< s, when to look again
+  SurfaceDrift surface_drift_;
 };
 
 }  // namespace pelagos

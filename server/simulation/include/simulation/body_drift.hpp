@@ -46,6 +46,14 @@ class BodyDrift {
   /// Takes the push of a step of dt (s).
   DriftForce act(const DriftSea& sea, const DriftingHull& hull, double dt);
 
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("push", self.push_);
+    visit("water", self.water_);
+    visit("weight", self.weight_);
+    visit("unknown", self.unknown_);
+  }
+
  private:
   Eigen::Vector2d push_ = Eigen::Vector2d::Zero();   ///< N, exponential sums; over weight_ they are means
   Eigen::Vector2d water_ = Eigen::Vector2d::Zero();  ///< m/s

@@ -9,6 +9,7 @@ namespace pelagos {
 /// Simulation time that lands exactly on multiples of the frame interval, whatever steps lead there.
 class FrameClock {
  public:
+  FrameClock() = default;  ///< to be read into
   explicit FrameClock(double frame_interval) : interval_(frame_interval) {}
 
   [[nodiscard]] double time() const { return time_; }           ///< s
@@ -34,10 +35,17 @@ class FrameClock {
     return true;
   }
 
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("interval", self.interval_);
+    visit("time", self.time_);
+    visit("frame", self.frame_);
+  }
+
  private:
   [[nodiscard]] double next_frame_time() const { return static_cast<double>(frame_ + 1) * interval_; }
 
-  double interval_;
+  double interval_ = 1.0;
   double time_ = 0.0;
   std::uint64_t frame_ = 0;
 };

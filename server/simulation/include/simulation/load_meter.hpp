@@ -18,6 +18,15 @@ class LoadMeter {
   /// The mean since the last call, and its peaks, into `load`; then starts anew. Zero where no step was made.
   void take(BodyLoad& load);
 
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("time", self.time_);
+    visit("impulse", self.impulse_);
+    visit("angular_impulse", self.angular_impulse_);
+    visit("peak_force", self.peak_force_);
+    visit("peak_moment", self.peak_moment_);
+  }
+
  private:
   double time_ = 0.0;
   Eigen::Vector3d impulse_ = Eigen::Vector3d::Zero(), angular_impulse_ = Eigen::Vector3d::Zero();  ///< body axes

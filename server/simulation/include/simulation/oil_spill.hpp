@@ -28,6 +28,46 @@ struct SpillSea {
   double time = 0.0;                 ///< s
 };
 
+/// A source that runs.
+struct OilSource {
+  ReleaseOil settings;
+  double left = 0.0;     ///< s
+  double pending = 0.0;  ///< m^3 that has flowed out and is not in the water yet
+  std::uint64_t made = 0;
+  SourceStatus status;
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("settings", self.settings);
+    visit("left", self.left);
+    visit("pending", self.pending);
+    visit("made", self.made);
+    visit("status", self.status);
+  }
+};
+
+/// All that changes about the oil, but for the phases of the particles.
+struct OilSpillState {
+  SlickState layer;
+  std::map<std::string, OilSource> sources;
+  std::uint32_t particles = 0;
+  std::int64_t displaced = 0;   ///< particles of water
+  double held_back = 0.0;       ///< kg
+  double since_exchange = 0.0;  ///< s
+  double since_film = 0.0;      ///< s
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("layer", self.layer);
+    visit("sources", self.sources);
+    visit("particles", self.particles);
+    visit("displaced", self.displaced);
+    visit("held_back", self.held_back);
+    visit("since_exchange", self.since_exchange);
+    visit("since_film", self.since_film);
+  }
+};
+
 /// The oil of a world: sources, the particle phase's part in it, the slick layer, and the ledger over both.
 ///
 /// Oil comes and goes in the particle phase by turning particles of water into oil and back, where they are: at rest
@@ -67,19 +107,12 @@ class OilSpill {
   }
   [[nodiscard]] bool empty() const { return layer_.elements().empty() && sources_.empty() && particles_ == 0; }
 
-  /// All that changes, to come back to.
-  struct State;
-  [[nodiscard]] State state() const;
-  void restore(const State& state);
+  [[nodiscard]] OilSpillState state() const;
+  /// Goes on from a state of the same scene's oil.
+  void restore(const OilSpillState& state);
 
  private:
-  struct Source {
-    ReleaseOil settings;
-    double left = 0.0;     ///< s
-    double pending = 0.0;  ///< m^3 that has flowed out and is not in the water yet
-    std::uint64_t made = 0;
-    SourceStatus status;
-  };
+  using Source = OilSource;
   void run_sources(double dt, const SpillSea& sea, FluidState& fluid);
   // Each returns what keeps the rest of the oil back, if anything does.
   [[nodiscard]] SourceWait bring_out(Source& source, bool film_due, bool over, const SpillSea& sea, FluidState& fluid);
@@ -107,14 +140,6 @@ class OilSpill {
   std::uint32_t particles_ = 0;
   std::int64_t displaced_ = 0;  ///< particles of water
   double held_back_ = 0.0;      ///< kg
-};
-
-struct OilSpill::State {
-  SlickState layer;
-  std::map<std::string, Source> sources;
-  std::uint32_t particles = 0;
-  std::int64_t displaced = 0;
-  double held_back = 0.0, since_exchange = 0.0, since_film = 0.0;
 };
 
 }  // namespace pelagos

@@ -19,6 +19,8 @@ class Probes {
   [[nodiscard]] std::optional<std::string> set(const ProbeSettings& probe);
   [[nodiscard]] std::optional<std::string> remove(std::uint32_t id);
   [[nodiscard]] std::vector<std::uint32_t> ids() const;
+  [[nodiscard]] const std::map<std::uint32_t, ProbeSettings>& settings() const { return probes_; }
+  void restore(const std::map<std::uint32_t, ProbeSettings>& probes) { probes_ = probes; }
 
   /// By id. @param origin  m, world, of local coordinates; @param current  adds what the water does not make itself
   [[nodiscard]] std::vector<ProbeReading> read(const FluidState& fluid, WaterSurface& surface, const WaveField& sea,

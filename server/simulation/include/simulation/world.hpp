@@ -13,8 +13,8 @@
 #include "simulation/frame_clock.hpp"
 #include "simulation/oil_spill.hpp"
 #include "simulation/probes.hpp"
-#include "simulation/recovery_point.hpp"
 #include "simulation/water_surface.hpp"
+#include "simulation/world_state.hpp"
 #include "surface/surface_extractor.hpp"
 #include "values/command.hpp"
 #include "values/effort.hpp"
@@ -84,12 +84,12 @@ class World {
   /// (slicks, booms, floating bodies) add `unresolved_current_at`, the part that this water does not make itself. For
   /// many positions, copy `current_field()` once a step: it is a small value with the same questions.
   [[nodiscard]] Eigen::Vector3d current_at(const Eigen::Vector3d& position, double time) const {
-    return current_ ? current_->velocity_at(position, time) : Eigen::Vector3d::Zero();
+    return current_.running ? current_.running->velocity_at(position, time) : Eigen::Vector3d::Zero();
   }
   [[nodiscard]] Eigen::Vector3d unresolved_current_at(const Eigen::Vector3d& position, double time) const {
-    return current_ ? current_->unresolved_velocity_at(position, time) : Eigen::Vector3d::Zero();
+    return current_.running ? current_.running->unresolved_velocity_at(position, time) : Eigen::Vector3d::Zero();
   }
-  [[nodiscard]] const std::optional<Current>& current_field() const { return current_; }
+  [[nodiscard]] const std::optional<Current>& current_field() const { return current_.running; }
 
   /// What the coming steps may cost. The scene's own until it is set; warm starts and states are kept.
   void set_effort(const Effort& effort);
@@ -97,6 +97,15 @@ class World {
 
   /// Fills time, frame, origin, bodies and the particles that travel. Its cost is a stage of the last step.
   void fill_snapshot(Snapshot& snapshot, StepReport& report);
+
+  /// All that the future depends on: a copy. `restore` goes on from it, with the same bits.
+  [[nodiscard]] WorldState state() const;
+  /// Whether a state can be one of this world's scene: as many bodies, oil where the scene has it.
+  [[nodiscard]] bool accepts(const WorldState& state) const;
+  /// Goes on from a state of a world of the same scene.
+  void restore(const WorldState& state);
+  /// Of the settings and samples that the scene has made: worlds of which it differs have other states.
+  [[nodiscard]] std::uint64_t scene_hash() const;
 
   [[nodiscard]] SceneInfo describe() const;
   /// What whoever runs the scene should know about its start, one line each: what is allowed, but hardly meant.
@@ -146,19 +155,15 @@ class World {
   mutable WaterSurface water_surface_;  ///< of the particles as they are; mutable: it measures when asked
   std::optional<Wind> wind_;
   CurrentDrive drive_;
-  std::optional<Current> current_;  ///< that runs
-  std::optional<Current> slowing_;  ///< of no speed: what was cleared, while the water is still slowed down
-  double slowing_until_ = 0.0;      ///< s, simulated
+  CurrentState current_;
   std::optional<OilSpill> spill_;
   SurfaceExtractor surface_;
   double max_step_ = 0.0;
   double largest_speed_ = 0.0;
   std::uint64_t step_ = 0;
-  std::optional<RecoveryPoint> recovery_;        ///< only where the scene asks for it
-  std::optional<OilSpill::State> spill_before_;  ///< the oil's part of it
+  std::optional<WorldState> recovery_;  ///< only where the scene asks for it
   std::vector<std::string> start_notes_;
-  int faults_in_row_ = 0;
-  double careful_until_ = 0.0;  ///< s, simulated: steps are shorter up to there, while there are faults in a row
+  FaultState faults_;
 };
 
 }  // namespace pelagos

@@ -32,6 +32,20 @@ struct SurfaceScales {
   double gravity = 9.81;        ///< m/s^2; sets the speeds at which foam arises; 9.81 is used where it is 0
 };
 
+/// Foam that a particle carries on.
+struct FoamOfParticle {
+  std::uint32_t id = 0;  ///< of the particle
+  float amount = 0.0F;   ///< 0..1 at `time`
+  float time = 0.0F;     ///< s, simulated
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("id", self.id);
+    visit("amount", self.amount);
+    visit("time", self.time);
+  }
+};
+
 /// How many particles were taken, and why.
 struct SurfaceCounts {
   std::uint32_t surface = 0;     ///< off-centre in their neighbourhood, or with few neighbours
@@ -62,10 +76,15 @@ class SurfaceExtractor {
   [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
   [[nodiscard]] const SurfaceCounts& counts() const { return counts_; }
 
+  /// By id: foam outlives its cause. What is too little to be seen is dropped, so there is never more of it than of
+  /// particles that foamed in the last seconds, whatever flows in and out.
+  [[nodiscard]] const std::vector<FoamOfParticle>& foam() const { return foam_; }
+  void restore_foam(const std::vector<FoamOfParticle>& foam) { foam_ = foam; }
+
  private:
   void mark_halo(const SurfaceInput& input, TaskPool& pool);
   void collect(std::size_t count);
-  [[nodiscard]] SurfaceParticle shape_particle(const SurfaceInput& input, std::size_t i);
+  [[nodiscard]] SurfaceParticle shape_particle(const SurfaceInput& input, std::size_t i, float& foam) const;
 
   SurfaceSettings settings_;
   SurfaceScales scales_;
@@ -73,11 +92,12 @@ class SurfaceExtractor {
   std::vector<std::uint8_t> mark_;  ///< per particle: inside, surface, halo, oil, not finite
   std::vector<std::uint32_t> indices_;
   SurfaceCounts counts_;
-  struct Foam {
-    float amount = 0;  ///< 0..1 at `time`
-    float time = 0;    ///< s
-  };
-  std::vector<Foam> foam_;  ///< by particle id: foam outlives its cause
+  [[nodiscard]] float foam_left(std::uint32_t id, double time) const;
+  [[nodiscard]] float faded(const FoamOfParticle& foam, double time) const;
+  void remember_foam(const SurfaceInput& input);
+
+  std::vector<FoamOfParticle> foam_, fresh_foam_;
+  std::vector<float> foam_now_;  ///< of the particles found by detect()
 };
 
 }  // namespace pelagos

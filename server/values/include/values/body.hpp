@@ -14,6 +14,16 @@ struct BodyPose {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world, unit
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();               ///< m/s, world
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();       ///< rad/s, world
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("body", self.body);
+    visit("time", self.time);
+    visit("position", self.position);
+    visit("orientation", self.orientation);
+    visit("velocity", self.velocity);
+    visit("angular_velocity", self.angular_velocity);
+  }
 };
 
 /// A pose whose place is one on the WGS84 ellipsoid, and whose directions are those of that place: east, north, up.
@@ -44,6 +54,17 @@ struct BodyState {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();       ///< rad/s, world
   PoseHealth health = PoseHealth::kNone;
   double pose_age = 0.0;  ///< s since the last accepted pose; < 0 if none
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("body", self.body);
+    visit("position", self.position);
+    visit("orientation", self.orientation);
+    visit("velocity", self.velocity);
+    visit("angular_velocity", self.angular_velocity);
+    visit("health", self.health);
+    visit("pose_age", self.pose_age);
+  }
 };
 
 }  // namespace pelagos

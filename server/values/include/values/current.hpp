@@ -28,6 +28,14 @@ struct CurrentSettings {
     const double part = std::clamp(1.0 - z / depth, 0.0, 1.0);
     return shear == CurrentShear::kLinear ? part : std::pow(part, 1.0 / 7.0);
   }
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("velocity", self.velocity);
+    visit("shear", self.shear);
+    visit("depth", self.depth);
+    visit("relaxation", self.relaxation);
+  }
 };
 
 /// Degrees clockwise from north that a current sets TOWARDS; and back.
@@ -44,6 +52,7 @@ struct CurrentSettings {
 /// A current over the whole sea, ramps included: a value to be copied and asked anywhere. Times are simulated seconds.
 class Current {
  public:
+  Current() = default;  ///< to be read into
   /// No current yet.
   /// @param water_level  m, world: the mean level, from which depths count
   /// @param moves_water  for x, y: whether the water of the tank itself moves with it (periodic axes)
@@ -94,9 +103,19 @@ class Current {
   [[nodiscard]] const CurrentSettings& target() const { return to_; }
   [[nodiscard]] const std::array<bool, 2>& moves_water() const { return moves_water_; }
 
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("water_level", self.water_level_);
+    visit("moves_water", self.moves_water_);
+    visit("from", self.from_);
+    visit("to", self.to_);
+    visit("ramp_start", self.ramp_start_);
+    visit("ramp_seconds", self.ramp_seconds_);
+  }
+
  private:
-  double water_level_;
-  std::array<bool, 2> moves_water_;
+  double water_level_ = 0.0;
+  std::array<bool, 2> moves_water_{false, false};
   Eigen::Vector3d from_ = Eigen::Vector3d::Zero();
   CurrentSettings to_;
   double ramp_start_ = 0.0, ramp_seconds_ = 0.0;

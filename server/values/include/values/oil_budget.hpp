@@ -30,6 +30,14 @@ struct SourceStatus {
   SourceWait wait = SourceWait::kNone;
   double waiting = 0.0;  ///< s of simulated time, without a break up to now
   double pending = 0.0;  ///< kg that should have flowed out and has not
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("name", self.name);
+    visit("wait", self.wait);
+    visit("waiting", self.waiting);
+    visit("pending", self.pending);
+  }
 };
 
 /// Where the oil is at one instant, and how the slick looks in numbers.

@@ -21,6 +21,17 @@ struct OilLedger {
     return released - (afloat + contained + submerged + recovered + evaporated + left_patch);
   }
   bool operator==(const OilLedger&) const = default;
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("released", self.released);
+    visit("afloat", self.afloat);
+    visit("contained", self.contained);
+    visit("submerged", self.submerged);
+    visit("recovered", self.recovered);
+    visit("evaporated", self.evaporated);
+    visit("left_patch", self.left_patch);
+  }
 };
 
 }  // namespace pelagos

@@ -15,6 +15,15 @@ struct ProbeSettings {
   std::uint32_t body = 0;                              ///< that carries it; 0: fixed in the world
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m: world, or the body's axes
   bool at_surface = true;  ///< the velocity is that of the surface below or above; else that at `position` itself
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("id", self.id);
+    visit("name", self.name);
+    visit("body", self.body);
+    visit("position", self.position);
+    visit("at_surface", self.at_surface);
+  }
 };
 
 /// What a probe reads. World axes.

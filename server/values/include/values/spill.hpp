@@ -19,6 +19,16 @@ struct ReleaseOil {
   std::uint32_t body = 0;                          ///< that it moves with; 0: none
   double rate = 0.0;                               ///< m^3/h, > 0
   double duration = std::numeric_limits<double>::infinity();  ///< s, > 0; without an end until it is stopped
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("name", self.name);
+    visit("from", self.from);
+    visit("to", self.to);
+    visit("body", self.body);
+    visit("rate", self.rate);
+    visit("duration", self.duration);
+  }
 };
 struct StopRelease {
   std::string name;

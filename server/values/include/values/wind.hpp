@@ -18,6 +18,12 @@ enum class WindLaw {
 struct WindPulse {
   double period = 10.0;  ///< s, > 0; with the law kPaper steps
   double width = 10.0;   ///< s, 0 < width <= period; with the law kPaper steps, and any width > 0
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("period", self.period);
+    visit("width", self.width);
+  }
 };
 
 /// The air's velocity at 10 m is g(t) [mean + amplitude noise((x - mean t) / length)], with the pulse g.
@@ -29,6 +35,17 @@ struct WindSettings {
   std::optional<WindPulse> pulse;
   WindLaw law = WindLaw::kGust;
   double roughness = 2e-4;  ///< m, z0 of the log profile, > 0, < 10
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("velocity", self.velocity);
+    visit("amplitude", self.amplitude);
+    visit("length", self.length);
+    visit("beta", self.beta);
+    visit("pulse", self.pulse);
+    visit("law", self.law);
+    visit("roughness", self.roughness);
+  }
 };
 
 /// Roughness that a wind has where nothing else is said: a smooth open sea, or as the paper's figures need it.

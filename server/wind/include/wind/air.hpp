@@ -14,6 +14,14 @@ struct AirSite {
   double water_level = 0.0;                          ///< m, world: mean level, from which heights count
   double floor = 0.0;                                ///< m, world: the water's bottom; heights of WindLaw::kPaper
   std::uint64_t seed = 1;                            ///< of the disturbance
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("origin", self.origin);
+    visit("water_level", self.water_level);
+    visit("floor", self.floor);
+    visit("seed", self.seed);
+  }
 };
 
 /// The velocity of the air over the sea: a value that may be copied and asked on any thread. At 10 m it is
@@ -29,6 +37,7 @@ struct AirSite {
 /// With WindLaw::kPaper the disturbance is new in every step, as the paper has it, and the pulse counts steps.
 class Air {
  public:
+  Air() = default;  ///< calm; to be read into
   /// @param wind  blows at once
   /// @param time  s, simulation time; the disturbance starts unshifted at this time
   Air(const AirSite& site, const WindSettings& wind, double time = 0.0);
@@ -65,6 +74,19 @@ class Air {
   static constexpr double kReferenceHeight = 10.0;  ///< m (paper eq. 34)
   static constexpr double kDensity = 1.293;         ///< kg/m^3 (paper eq. 33)
 
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("site", self.site_);
+    visit("offset", self.offset_);
+    visit("from", self.from_);
+    visit("to", self.to_);
+    visit("from_pulse", self.from_pulse_);
+    visit("ramp_start", self.ramp_start_);
+    visit("ramp_seconds", self.ramp_seconds_);
+    visit("carried", self.carried_);
+    visit("steps", self.steps_);
+  }
+
  private:
   struct Blend {
     double pulse;
@@ -78,7 +100,8 @@ class Air {
   [[nodiscard]] double pulse_at(const WindSettings& wind, double time) const;
 
   AirSite site_;
-  std::array<Eigen::Vector3d, 3> offset_;  ///< of the noise of each component
+  std::array<Eigen::Vector3d, 3> offset_{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                                         Eigen::Vector3d::Zero()};  ///< of the noise of each component
   WindSettings from_, to_;
   double from_pulse_ = 1.0;  ///< value of the pulse when the ramp began
   double ramp_start_ = 0.0, ramp_seconds_ = 0.0;

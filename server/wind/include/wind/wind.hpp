@@ -40,6 +40,8 @@ class Wind {
  public:
   Wind(const WindSite& site, const WindSettings& settings, double time = 0.0)
       : site_(site), air_(site.air, settings, time) {}
+  /// Goes on with air that blew before.
+  Wind(const WindSite& site, const Air& air) : site_(site), air_(air) {}
 
   /// See Air::set.
   void set(const WindSettings& settings, double time, double ramp_seconds) { air_.set(settings, time, ramp_seconds); }
