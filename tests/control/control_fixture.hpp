@@ -5,6 +5,8 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
+#include <deque>
+#include <functional>
 
 #include <chrono>
 #include <memory>
@@ -130,6 +132,14 @@ class ControlTest : public testing::Test {
     const std::lock_guard lock(mutex_);
     return scheduled_;
   }
+  /// Answers the command that was submitted first of those that wait. @return false: none waits
+  bool release_answer() {
+    const std::lock_guard lock(mutex_);
+    if (held_.empty()) return false;
+    held_.front()();
+    held_.pop_front();
+    return true;
+  }
   std::string log() {
     const std::lock_guard lock(mutex_);
     return log_;
@@ -166,18 +176,24 @@ class ControlTest : public testing::Test {
   CommandSite site_{{{0, 0, 0}, {60, 40, 16}}, {1, 2}, OilModel::kSlick};  // likewise
   std::optional<std::string> refusal_;                                     // likewise
   bool throws_ = false;                                                    // likewise
+  bool holds_answers_ = false;                                             // likewise: until release_answer
+  static constexpr std::uint64_t kStep = 77;                               // that commands take effect before
   double now_ = 0.0;                                                       // likewise: s, the present simulated time
 
  private:
   ControlHooks hooks() {
     status_.scene = "test";
     ControlHooks hooks;
-    hooks.submit = [this](const Command& command, const std::string& source) -> std::optional<std::string> {
+    hooks.submit = [this](const Command& command, const std::string& source,
+                          TakeAnswer answer) -> std::optional<std::string> {
       EXPECT_THAT(source, testing::StartsWith("station 127.0.0.1:"));
       if (throws_) throw std::runtime_error("broken");
       if (refusal_) return refusal_;
       const std::lock_guard lock(mutex_);
-      commands_.push_back(command);
+      if (holds_answers_)
+        held_.push_back([this, command, answer] { answer({kStep, take(command)}); });
+      else
+        answer({kStep, take(command)});
       return std::nullopt;
     };
     hooks.schedule = [this](const Command& command, double at, const std::string& source) -> ScheduleAnswer {
@@ -192,8 +208,7 @@ class ControlTest : public testing::Test {
       return std::erase_if(scheduled_, [id](const ScheduledCommand& waiting) { return waiting.id == id; }) > 0;
     };
     hooks.scheduled = [this] { return scheduled(); };
-    hooks.wind_before = [this](std::optional<double>) { return last_wind_set(); };
-    hooks.find_misfit = [this](const Command& command, std::optional<double>) { return find_misfit(command, site_); };
+    hooks.find_misfit = [this](const Command& command) { return find_misfit(command, site_); };
     hooks.status = [this] { return status_; };
     hooks.read_air = [this](const std::vector<Eigen::Vector3d>& position) {
       if (throws_) throw std::runtime_error("broken");
@@ -208,18 +223,28 @@ class ControlTest : public testing::Test {
     return hooks;
   }
 
-  std::optional<WindSettings> last_wind_set() {
-    const std::lock_guard lock(mutex_);
-    std::optional<WindSettings> wind = status_.wind;
-    for (const Command& command : commands_) {
-      if (const auto* set = std::get_if<SetWind>(&command)) wind = set->wind;
-      if (std::holds_alternative<ClearWind>(command)) wind.reset();
+  /// Stands in for the world at a step boundary.
+  std::optional<Misfit> take(const Command& command) {
+    if (auto misfit = find_misfit(command, site_)) return misfit;
+    if (std::holds_alternative<ClearWind>(command)) status_.wind.reset();
+    const auto* set = std::get_if<SetWind>(&command);
+    if (set == nullptr) {
+      commands_.push_back(command);
+      return {};
     }
-    return wind;
+    WindSettings wind;
+    if (auto misfit = merge_wind(set->wind, status_.wind, wind)) {
+      misfit->field = misfit->field.empty() ? "wind" : "wind." + misfit->field;
+      return misfit;
+    }
+    status_.wind = wind;
+    commands_.push_back(SetWind{wind, set->ramp_seconds});
+    return {};
   }
 
   std::mutex mutex_;
   std::vector<Command> commands_;
+  std::deque<std::function<void()>> held_;
   std::vector<ScheduledCommand> scheduled_;
   std::string log_;
   std::unique_ptr<ControlServer> server_;

@@ -284,7 +284,7 @@ TEST_F(ControlAbuse, LinksThatOnlyTakeEventsOrSayHelloGiveWay) {
 TEST_F(ControlAbuse, WrongRequestsEarnNoPlace) {
   options_.max_stations = 1;
   Request wrong;
-  wrong.mutable_set_wind()->mutable_wind()->set_beaufort(-1);
+  wrong.mutable_command()->mutable_set_wind()->mutable_wind()->set_beaufort(-1);
   const auto links = links_that_asked(port(), wrong, 3);
   RawStation instructor(port());
   const auto reply = instructor.ask(status_request(1));

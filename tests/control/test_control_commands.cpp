@@ -24,8 +24,8 @@ class ControlCommands : public test::ControlTest {
   proto::v1::Response set_wind(const proto::v1::Wind& wind, double ramp = 0.0) {
     Request request;
     request.set_id(5);
-    *request.mutable_set_wind()->mutable_wind() = wind;
-    if (ramp != 0.0) request.mutable_set_wind()->set_ramp(ramp);
+    *request.mutable_command()->mutable_set_wind()->mutable_wind() = wind;
+    if (ramp != 0.0) request.mutable_command()->mutable_set_wind()->set_ramp(ramp);
     return ask(request);
   }
   SetWind last_wind() {
@@ -158,15 +158,15 @@ TEST_F(ControlCommands, StatusCarriesEveryField) {
 
 TEST_F(ControlCommands, PauseResumeStepAndClearWindArrive) {
   Request request;
-  request.mutable_pause();
+  request.mutable_command()->mutable_pause();
   EXPECT_TRUE(ask(request).has_accepted());
-  request.mutable_step()->set_steps(7);
+  request.mutable_command()->mutable_step()->set_steps(7);
   EXPECT_TRUE(ask(request).has_accepted());
-  request.mutable_step()->clear_steps();
+  request.mutable_command()->mutable_step()->clear_steps();
   EXPECT_TRUE(ask(request).has_accepted());
-  request.mutable_resume();
+  request.mutable_command()->mutable_resume();
   EXPECT_TRUE(ask(request).has_accepted());
-  request.mutable_clear_wind();
+  request.mutable_command()->mutable_clear_wind();
   EXPECT_TRUE(ask(request).has_accepted());
   const auto all = commands();
   ASSERT_EQ(all.size(), 5u);
@@ -180,7 +180,7 @@ TEST_F(ControlCommands, PauseResumeStepAndClearWindArrive) {
 /// What docs/control.md shows to those who write a station of their own.
 TEST_F(ControlCommands, TheBytesOfTheDocumentationPause) {
   RawStation station(port());
-  station.send_bytes(std::string("\0\0\0\x04\x08\x01\x32\0", 8));
+  station.send_bytes(std::string("\0\0\0\x06\x08\x01\x5a\x02\x32\0", 10));
   const auto reply = station.read();
   ASSERT_TRUE(reply);
   EXPECT_EQ(reply->response().id(), 1u);
@@ -194,13 +194,13 @@ TEST_F(ControlCommands, WindInEachOfItsThreeForms) {
   wind.set_speed(12.0);
   wind.set_from_deg(270.0);
   EXPECT_TRUE(set_wind(wind, 5.0).has_accepted());
-  EXPECT_TRUE(last_wind().wind.velocity.isApprox(Eigen::Vector3d(12.0, 0.0, 0.0), kRounding));
+  EXPECT_TRUE(last_wind().wind.velocity->isApprox(Eigen::Vector3d(12.0, 0.0, 0.0), kRounding));
   EXPECT_EQ(last_wind().ramp_seconds, 5.0);
 
   wind.clear_speed();
   wind.set_beaufort(7);
   EXPECT_TRUE(set_wind(wind).has_accepted());
-  EXPECT_NEAR(last_wind().wind.velocity.x(), beaufort_speed(7), kRounding);
+  EXPECT_NEAR(last_wind().wind.velocity->x(), beaufort_speed(7), kRounding);
   EXPECT_EQ(last_wind().ramp_seconds, 0.0);
 
   wind.Clear();
@@ -224,7 +224,7 @@ TEST_F(ControlCommands, WindChangesItsLawWithItsOwnRoughness) {
   proto::v1::Wind wind;
   wind.set_law(proto::v1::Wind::PAPER);
   const auto refused = set_wind(wind);  // the pulse in seconds would become one in steps
-  EXPECT_EQ(refused.error().field(), "set_wind.wind.law");
+  EXPECT_EQ(refused.error().field(), "command.set_wind.wind.law");
   EXPECT_THAT(refused.error().message(), testing::HasSubstr("a pulse, or clear_pulse"));
   wind.mutable_pulse()->set_period(10.0);
   wind.mutable_pulse()->set_width(100.0);
@@ -242,7 +242,7 @@ TEST_F(ControlCommands, WindKeepsWhatIsLeftOut) {
   proto::v1::Wind wind;
   wind.set_speed(16.0);
   EXPECT_TRUE(set_wind(wind).has_accepted());
-  EXPECT_TRUE(last_wind().wind.velocity.isApprox(wind_velocity(16.0, 90.0), kRounding));
+  EXPECT_TRUE(last_wind().wind.velocity->isApprox(wind_velocity(16.0, 90.0), kRounding));
   EXPECT_EQ(last_wind().wind.amplitude, 2.0);
   EXPECT_EQ(last_wind().wind.length, 5.0);
   EXPECT_EQ(last_wind().wind.beta, 1.25);
@@ -251,15 +251,15 @@ TEST_F(ControlCommands, WindKeepsWhatIsLeftOut) {
   wind.Clear();
   wind.set_from_deg(180.0);  // keeps the 16 m/s last set, not the 8 m/s that still blow
   EXPECT_TRUE(set_wind(wind).has_accepted());
-  EXPECT_TRUE(last_wind().wind.velocity.isApprox(wind_velocity(16.0, 180.0), kRounding));
+  EXPECT_TRUE(last_wind().wind.velocity->isApprox(wind_velocity(16.0, 180.0), kRounding));
 
   Request request;
-  request.mutable_set_wind()->set_clear_pulse(true);
+  request.mutable_command()->mutable_set_wind()->set_clear_pulse(true);
   EXPECT_TRUE(ask(request).has_accepted());
   EXPECT_FALSE(last_wind().wind.pulse);
-  EXPECT_TRUE(last_wind().wind.velocity.isApprox(wind_velocity(16.0, 180.0), kRounding));
+  EXPECT_TRUE(last_wind().wind.velocity->isApprox(wind_velocity(16.0, 180.0), kRounding));
 
-  request.mutable_clear_wind();
+  request.mutable_command()->mutable_clear_wind();
   EXPECT_TRUE(ask(request).has_accepted());
   EXPECT_EQ(set_wind(wind).error().code(), Error::INVALID_VALUE);  // a direction alone, of no wind
 }
@@ -277,7 +277,7 @@ class ControlRefusals : public ControlCommands, public testing::WithParamInterfa
 TEST_P(ControlRefusals, NameFieldValueAndWhatIsAllowed) {
   Request request;
   request.set_id(9);
-  GetParam().make(*request.mutable_set_wind());
+  GetParam().make(*request.mutable_command()->mutable_set_wind());
   const auto reply = ask(request);
   EXPECT_EQ(reply.id(), 9u);
   EXPECT_EQ(reply.error().code(), Error::INVALID_VALUE);
@@ -300,67 +300,73 @@ proto::v1::Wind& westerly(proto::v1::SetWind& set) {
 INSTANTIATE_TEST_SUITE_P(
     Values, ControlRefusals,
     testing::Values(
-        BadWind{"Nothing", [](auto&) {}, "set_wind.wind", "exactly one of speed"},
-        BadWind{"SpeedHigh", [](auto& s) { westerly(s).set_speed(200); }, "set_wind.wind.speed", "200 is out of range"},
-        BadWind{"SpeedNegative", [](auto& s) { westerly(s).set_speed(-1); }, "set_wind.wind.speed", "0 to 75 m/s"},
-        BadWind{"SpeedNan", [](auto& s) { westerly(s).set_speed(kNan); }, "set_wind.wind.speed", "nan"},
-        BadWind{"Direction", [](auto& s) { westerly(s).set_from_deg(-10); }, "set_wind.wind.from_deg", "0 to 360"},
-        BadWind{"DirectionInf", [](auto& s) { westerly(s).set_from_deg(kInfinity); }, "set_wind.wind.from_deg", "inf"},
-        BadWind{"NoDirection", [](auto& s) { s.mutable_wind()->set_beaufort(4); }, "set_wind.wind.from_deg", "missing"},
-        BadWind{"TwoWays", [](auto& s) { westerly(s).set_beaufort(4); }, "set_wind.wind", "more than one way"},
+        BadWind{"Nothing", [](auto&) {}, "command.set_wind.wind", "exactly one of speed"},
+        BadWind{"SpeedHigh", [](auto& s) { westerly(s).set_speed(200); }, "command.set_wind.wind.speed",
+                "200 is out of range"},
+        BadWind{"SpeedNegative", [](auto& s) { westerly(s).set_speed(-1); }, "command.set_wind.wind.speed",
+                "0 to 75 m/s"},
+        BadWind{"SpeedNan", [](auto& s) { westerly(s).set_speed(kNan); }, "command.set_wind.wind.speed", "nan"},
+        BadWind{"Direction", [](auto& s) { westerly(s).set_from_deg(-10); }, "command.set_wind.wind.from_deg",
+                "0 to 360"},
+        BadWind{"DirectionInf", [](auto& s) { westerly(s).set_from_deg(kInfinity); }, "command.set_wind.wind.from_deg",
+                "inf"},
+        BadWind{"NoDirection", [](auto& s) { s.mutable_wind()->set_beaufort(4); }, "command.set_wind.wind.from_deg",
+                "missing"},
+        BadWind{"TwoWays", [](auto& s) { westerly(s).set_beaufort(4); }, "command.set_wind.wind", "more than one way"},
         BadWind{"Beaufort",
                 [](auto& s) {
                   s.mutable_wind()->set_beaufort(99);
                   s.mutable_wind()->set_from_deg(0);
                 },
-                "set_wind.wind.beaufort", "0 to 12"},
+                "command.set_wind.wind.beaufort", "0 to 12"},
         BadWind{"Velocity", [](auto& s) { s.mutable_wind()->mutable_velocity()->set_z(kNan); },
-                "set_wind.wind.velocity.z", "nan"},
-        BadWind{"Amplitude", [](auto& s) { westerly(s).set_amplitude(-3); }, "set_wind.wind.amplitude", "0 to 30"},
-        BadWind{"Length", [](auto& s) { westerly(s).set_length(0); }, "set_wind.wind.length", "0.01 to 10000"},
-        BadWind{"Beta", [](auto& s) { westerly(s).set_beta(1e9); }, "set_wind.wind.beta", "0 to 100"},
+                "command.set_wind.wind.velocity.z", "nan"},
+        BadWind{"Amplitude", [](auto& s) { westerly(s).set_amplitude(-3); }, "command.set_wind.wind.amplitude",
+                "0 to 30"},
+        BadWind{"Length", [](auto& s) { westerly(s).set_length(0); }, "command.set_wind.wind.length", "0.01 to 10000"},
+        BadWind{"Beta", [](auto& s) { westerly(s).set_beta(1e9); }, "command.set_wind.wind.beta", "0 to 100"},
         BadWind{"Pulse",
                 [](auto& s) {
                   auto& p = *westerly(s).mutable_pulse();
                   p.set_period(2);
                   p.set_width(3);
                 },
-                "set_wind.wind.pulse.width", "longer than the period"},
+                "command.set_wind.wind.pulse.width", "longer than the period"},
         BadWind{"PulseTwice",
                 [](auto& s) {
                   westerly(s).mutable_pulse()->set_period(2);
                   s.set_clear_pulse(true);
                   s.mutable_wind()->mutable_pulse()->set_width(1);
                 },
-                "set_wind.clear_pulse", "allowed: one of them"},
+                "command.set_wind.clear_pulse", "allowed: one of them"},
         BadWind{"Ramp",
                 [](auto& s) {
                   westerly(s);
                   s.set_ramp(-1);
                 },
-                "set_wind.ramp", "0 to 3600 s"},
+                "command.set_wind.ramp", "0 to 3600 s"},
         BadWind{"RampNan",
                 [](auto& s) {
                   westerly(s);
                   s.set_ramp(kNan);
                 },
-                "set_wind.ramp", "nan"}),
+                "command.set_wind.ramp", "nan"}),
     [](const auto& entry) { return entry.param.name; });
 
 TEST_F(ControlCommands, RefusesStepsOutOfRange) {
   for (const std::uint32_t steps : {0u, 10001u, 4294967295u}) {
     Request request;
-    request.mutable_step()->set_steps(steps);
+    request.mutable_command()->mutable_step()->set_steps(steps);
     const auto reply = ask(request);
     EXPECT_EQ(reply.error().code(), Error::INVALID_VALUE);
-    EXPECT_THAT(reply.error().message(), AllOf(StartsWith("step.steps: "), HasSubstr("1 to 10000")));
+    EXPECT_THAT(reply.error().message(), AllOf(StartsWith("command.step.steps: "), HasSubstr("1 to 10000")));
   }
   EXPECT_TRUE(commands().empty());
 }
 
 TEST_F(ControlCommands, NotesFieldsThatItDoesNotKnow) {
   Request request;
-  auto& wind = westerly(*request.mutable_set_wind());
+  auto& wind = westerly(*request.mutable_command()->mutable_set_wind());
   wind.GetReflection()->MutableUnknownFields(&wind)->AddVarint(123, 1);
   EXPECT_THAT(ask(request).error().message(), HasSubstr("field number 123"));
 }
@@ -377,16 +383,55 @@ TEST_F(ControlCommands, AnswersRequestsOfNoKnownKind) {
 TEST_F(ControlCommands, PassesOnWhyTheSimulationRefuses) {
   refusal_ = "only while paused";
   Request request;
-  request.mutable_step();
+  request.mutable_command()->mutable_step();
   const auto reply = ask(request);
   EXPECT_EQ(reply.error().code(), Error::REFUSED);
   EXPECT_EQ(reply.error().message(), "only while paused");
 }
 
+TEST_F(ControlCommands, AreAnsweredFromTheBoundaryInTheOrderOfTheRequests) {
+  holds_answers_ = true;
+  RawStation station(port());
+  Request pause, status, clear;
+  pause.set_id(1);
+  pause.mutable_command()->mutable_pause();
+  status.set_id(2);
+  status.mutable_get_status();
+  clear.set_id(3);
+  clear.mutable_command()->mutable_set_wind()->mutable_wind()->set_speed(3.0);  // of no direction
+  for (const Request& request : {pause, status, clear}) station.send(request);
+  ASSERT_TRUE(eventually([&] { return release_answer(); }));
+  const auto first = station.read(), second = station.read();
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->response().id(), 1u);
+  EXPECT_EQ(first->response().accepted().step(), kStep);
+  EXPECT_EQ(second->response().id(), 2u) << "held back by the command before it";
+  EXPECT_TRUE(second->response().has_status());
+  ASSERT_TRUE(eventually([&] { return release_answer(); }));
+  const auto third = station.read();
+  ASSERT_TRUE(third);
+  EXPECT_EQ(third->response().error().field(), "command.set_wind.wind.from_deg");
+}
+
+/// A station that ends its side after a command still reads what became of it.
+TEST_F(ControlCommands, AreAnsweredAfterTheStationHasSentItsLast) {
+  holds_answers_ = true;
+  RawStation station(port());
+  Request pause;
+  pause.set_id(4);
+  pause.mutable_command()->mutable_pause();
+  station.send(pause);
+  station.end_sending();
+  ASSERT_TRUE(eventually([&] { return release_answer(); }));
+  const auto reply = station.read();
+  ASSERT_TRUE(reply);
+  EXPECT_TRUE(reply->response().has_accepted());
+}
+
 TEST_F(ControlCommands, OutlivesAHookThatThrows) {
   throws_ = true;
   Request request;
-  request.mutable_pause();
+  request.mutable_command()->mutable_pause();
   EXPECT_EQ(ask(request).error().code(), Error::INTERNAL);
   expect_unharmed();
 }

@@ -52,7 +52,7 @@ TEST_F(ControlSchedule, TakesACommandWithATimeAndTellsItsId) {
   EXPECT_EQ(ask(pause).accepted().scheduled_id(), 2U);
   ASSERT_EQ(scheduled().size(), 2U);
   EXPECT_EQ(scheduled()[0].at, 60.0);
-  EXPECT_EQ(std::get<SetWind>(scheduled()[0].command).wind.velocity.x(), 12.0);
+  EXPECT_EQ(std::get<SetWind>(scheduled()[0].command).wind.speed, 12.0);
   EXPECT_EQ(scheduled()[1].at, 90.5);
   EXPECT_TRUE(std::holds_alternative<PauseSimulation>(scheduled()[1].command));
   EXPECT_TRUE(commands().empty());
@@ -68,7 +68,7 @@ TEST_F(ControlSchedule, ACommandWithoutATimeIsForTheNextBoundary) {
   EXPECT_TRUE(std::holds_alternative<PauseSimulation>(commands()[0]));
 }
 
-TEST_F(ControlSchedule, ListsWhatWaitsWithTheWholeWind) {
+TEST_F(ControlSchedule, ListsWhatWaitsAsItWasGiven) {
   ask(westerly_at(60.0));
   Request request;
   request.mutable_get_schedule();
@@ -78,8 +78,9 @@ TEST_F(ControlSchedule, ListsWhatWaitsWithTheWholeWind) {
   EXPECT_EQ(waiting.id(), 1U);
   EXPECT_EQ(waiting.command().at(), 60.0);
   EXPECT_THAT(waiting.command().source(), HasSubstr("station 127.0.0.1:"));
-  EXPECT_EQ(waiting.command().set_wind().wind().velocity().x(), 12.0);
-  EXPECT_TRUE(waiting.command().set_wind().clear_pulse());
+  EXPECT_EQ(waiting.command().set_wind().wind().speed(), 12.0);
+  EXPECT_EQ(waiting.command().set_wind().wind().from_deg(), 270.0);
+  EXPECT_FALSE(waiting.command().set_wind().wind().has_amplitude());
 }
 
 TEST_F(ControlSchedule, CancelsOnce) {

@@ -57,7 +57,7 @@ std::vector<std::string> long_row(const std::string& solver, bool slosh, int ste
   const double longest = 0.07 * water.step_unit(), height = water.mean_height();
   std::vector<double> kinetic;
   double drift = 0.0;
-  for (int n = 0; n < steps && water.outcome_so_far().not_finite == 0; ++n) {
+  for (int n = 0; n < steps && water.outcome().not_finite == 0; ++n) {
     const double dt =
         std::max(0.1 * longest, admissible_time_step(water.state().parameters, 0.4, longest, water.speed()));
     kinetic.push_back(water.step(dt).kinetic_energy);
@@ -89,7 +89,7 @@ std::vector<std::string> oil_row(const std::string& solver, double ratio, int st
   HardWater water(oil_dam(solver, ratio));
   water.settle(60);
   const double longest = 0.07 * water.step_unit();
-  for (int n = 0; n < steps && water.outcome_so_far().not_finite == 0; ++n)
+  for (int n = 0; n < steps && water.outcome().not_finite == 0; ++n)
     water.step(std::max(0.1 * longest, admissible_time_step(water.state().parameters, 0.4, longest, water.speed())));
   const Outcome out = water.outcome();
   const double apart = oil_over_water(water.state());

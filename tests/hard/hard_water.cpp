@@ -26,7 +26,7 @@ double HardWater::step_unit() const {
 void HardWater::start_watch() {
   StepReport now;
   measure_fluid(pool_, state_, 0.0, now);
-  start_energy_ = lowest_energy_ = now.kinetic_energy + now.potential_energy;
+  energy_ = EnergyWatch(now.kinetic_energy + now.potential_energy);
 }
 
 void HardWater::settle(int steps) {
@@ -35,31 +35,20 @@ void HardWater::settle(int steps) {
 }
 
 StepReport HardWater::step(double dt) {
-  StepReport report;
-  advance_fluid(pool_, state_, dt, nullptr, report);
-  start_acceleration(pool_, state_, report);
-  measure_fluid(pool_, state_, dt, report);
+  const StepReport report = step_water(pool_, state_, dt);
   note(report);
   return report;
 }
 
 void HardWater::note(const StepReport& report) {
-  ++sums_.steps;
-  sums_.not_finite = std::max(sums_.not_finite, report.not_finite);
-  if (sums_.not_finite > 0) return;
-  sums_.outside = std::max(sums_.outside, report.outside);
-  sums_.capped += report.capped;
-  sums_.unconverged += report.density.converged && report.divergence.converged ? 0 : 1;
-  sums_.density_error = std::max(sums_.density_error, report.density_error);
-  sums_.mean_density_error += report.density_error;
-  sums_.largest_density = std::max(sums_.largest_density, report.largest_density);
-  sums_.density_iterations += report.density.iterations;
-  sums_.velocity_iterations += report.divergence.iterations;
-  sums_.largest_speed = std::max(sums_.largest_speed, report.largest_speed);
+  if (report.not_finite > 0 || broken()) {
+    ++steps_broken_;
+    not_finite_ = std::max(not_finite_, report.not_finite);
+    return;
+  }
+  sums_.add(report);
   speed_ = report.largest_speed;
-  const double energy = report.kinetic_energy + report.potential_energy;
-  if (start_energy_ > 0.0) sums_.energy_rise = std::max(sums_.energy_rise, (energy - lowest_energy_) / start_energy_);
-  lowest_energy_ = std::min(lowest_energy_, energy);
+  energy_.add(report.kinetic_energy + report.potential_energy);
   const double mass = state_.parameters.rest_density * state_.parameters.volume() *
                       static_cast<double>(std::max<std::size_t>(state_.particles.count, 1));
   rms_.push_back(std::sqrt(2.0 * report.kinetic_energy / mass));
@@ -68,7 +57,7 @@ void HardWater::note(const StepReport& report) {
 void HardWater::run(double time, double factor, double cfl) {
   const double longest = factor * step_unit() * step_factor_;
   double gone = 0.0;
-  while (gone < time && sums_.not_finite == 0) {
+  while (gone < time && !broken()) {
     double dt = longest;
     if (cfl > 0.0) dt = std::max(admissible_time_step(state_.parameters, cfl, longest, speed_), 0.1 * longest);
     step(dt);
@@ -77,11 +66,19 @@ void HardWater::run(double time, double factor, double cfl) {
 }
 
 Outcome HardWater::outcome() const {
-  Outcome out = sums_;
-  const double steps = std::max(out.steps, 1);
-  out.mean_density_error /= steps;
-  out.density_iterations /= steps;
-  out.velocity_iterations /= steps;
+  Outcome out;
+  out.steps = static_cast<int>(sums_.steps) + steps_broken_;
+  out.not_finite = not_finite_;
+  out.outside = sums_.outside_peak;
+  out.capped = static_cast<std::int64_t>(sums_.capped);
+  out.unconverged = static_cast<int>(sums_.unconverged_steps);
+  out.density_error = sums_.density_error_peak;
+  out.mean_density_error = sums_.mean(sums_.density_error);
+  out.largest_density = sums_.largest_density_peak;
+  out.energy_rise = energy_.largest_rise();
+  out.density_iterations = sums_.mean(sums_.density_iterations);
+  out.velocity_iterations = sums_.mean(sums_.divergence_iterations);
+  out.largest_speed = sums_.largest_speed_peak;
   if (!rms_.empty()) {
     out.rms_speed = rms_.back();
     out.late_rms_speed = *std::max_element(rms_.begin() + static_cast<std::ptrdiff_t>(rms_.size() / 2), rms_.end());

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "physics/fluid.hpp"
+#include "physics/step_sums.hpp"
+#include "physics/water_step.hpp"
 
 namespace pelagos::hard {
 
@@ -49,8 +50,8 @@ class HardWater {
   /// s, sqrt(d/g); with standard gravity where there is none
   [[nodiscard]] double step_unit() const;
   [[nodiscard]] Outcome outcome() const;
-  /// The sums so far, not yet divided by the steps.
-  [[nodiscard]] const Outcome& outcome_so_far() const { return sums_; }
+  /// Of all steps so far.
+  [[nodiscard]] const StepSums& sums() const { return sums_; }
   [[nodiscard]] FluidState& state() { return state_; }
   [[nodiscard]] TaskPool& pool() { return pool_; }
   [[nodiscard]] double mean_height() const;
@@ -61,12 +62,16 @@ class HardWater {
 
  private:
   void note(const StepReport& report);
+  [[nodiscard]] bool broken() const { return not_finite_ > 0; }
 
   TaskPool pool_;
   FluidState state_;
-  Outcome sums_;
+  StepSums sums_;
+  EnergyWatch energy_;
+  std::uint32_t not_finite_ = 0;
+  int steps_broken_ = 0;
   std::vector<double> rms_;
-  double start_energy_ = 0, lowest_energy_ = 0, speed_ = 0;
+  double speed_ = 0;
   double step_factor_;  ///< on every longest step
 };
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "pair_scene.hpp"
-#include "physics/fluid.hpp"
+#include "physics/water_step.hpp"
 
 namespace pelagos::test {
 
@@ -15,13 +15,7 @@ class WaterScene {
              std::span<const std::uint8_t> phase = {})
       : pool(threads), state(make_fluid(pool, parameters, points, phase)) {}
 
-  StepReport step(double dt) {
-    StepReport report;
-    advance_fluid(pool, state, dt, nullptr, report);
-    start_acceleration(pool, state, report);
-    measure_fluid(pool, state, dt, report);
-    return report;
-  }
+  StepReport step(double dt) { return step_water(pool, state, dt); }
   [[nodiscard]] double largest_step() const {
     return 0.07 * std::sqrt(state.parameters.spacing / std::max(state.parameters.gravity, 9.81));
   }

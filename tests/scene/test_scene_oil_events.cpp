@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "messages/given_names.hpp"
 #include "scene_text.hpp"
+#include "values/given_names.hpp"
 #include "values/oil_limits.hpp"
 
 namespace pelagos {

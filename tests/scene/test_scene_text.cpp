@@ -46,8 +46,8 @@ TEST(SceneText, ReadsLeadingZerosOfEveryKind) {
   ASSERT_EQ(read.scene->events.size(), 1u);
   EXPECT_EQ(read.scene->events[0].at, 10.0);
   const auto& set = std::get<SetWind>(read.scene->events[0].command);
-  EXPECT_NEAR(set.wind.velocity.norm(), 8.0, 1e-12);
-  EXPECT_NEAR(wind_from_deg(set.wind.velocity), 90.0, 1e-9);
+  EXPECT_EQ(set.wind.speed, 8.0);
+  EXPECT_EQ(set.wind.from_deg, 90.0);
   EXPECT_EQ(set.ramp_seconds, 12.0);
   ASSERT_EQ(read.scene->bodies.size(), 1u);
   EXPECT_EQ(read.scene->bodies[0].id, 17u);
@@ -185,9 +185,14 @@ TEST(SceneText, CommandLogsAreReadAlike) {
   EXPECT_EQ(read.log->commands.at(0).before_step, 10u);
   EXPECT_THAT(read_command_log_text("scene: \"a\" seed: 1 particles: 1\ncommand { before_step: −1 }\n", "a.log").faults,
               ElementsAre(AllOf(StartsWith("a.log:2:24: before_step: "), HasSubstr("minus sign"))));
-  EXPECT_THAT(
-      read_command_log_text("scene: \"a\" seed: 1 particles: 1\ncommand { before_step: 1 clear_w", "a.log").faults,
-      ElementsAre(AllOf(StartsWith("a.log:2:"), HasSubstr("cut off: take it out"))));
+  const std::string whole = "scene: \"a\" seed: 1 particles: 1\ncommand { before_step: 1 clear_wind { } }\n";
+  for (const char* cut :
+       {"c", "command", "command {", "command { before_step: 1 clear_w", "end { step: 3 state_hash: \"1"}) {
+    const CommandLogResult result = read_command_log_text(whole + cut, "a.log");
+    ASSERT_TRUE(result.log) << cut << ": " << result.faults.front();
+    EXPECT_EQ(result.log->commands.size(), 1u);
+    EXPECT_THAT(result.log->cut_off, HasSubstr("line 3 of the log, its last, is cut off after")) << cut;
+  }
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ inline void make_step(World& world, std::uint64_t number, const BeforeStep& befo
   if (before) before(world, number);
   WorldStep step = world.advance();
   Snapshot snapshot;
-  if (step.frame_reached) world.fill_snapshot(snapshot, step.report);
+  if (step.frame_reached) world.take_frame(snapshot, step.report);
 }
 
 inline std::string first_difference(const World& one, const World& other) {

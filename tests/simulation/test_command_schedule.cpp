@@ -21,7 +21,7 @@ std::vector<std::string> sources(CommandQueue& queue, double now) {
   std::vector<QueuedCommand> taken;
   queue.take(now, taken);
   std::vector<std::string> names;
-  for (const QueuedCommand& command : taken) names.push_back(command.source);
+  for (const QueuedCommand& command : taken) names.push_back(command.given.source);
   return names;
 }
 
@@ -45,7 +45,7 @@ TEST(CommandSchedule, OrdersByTimeThenAsGivenThenWhatWasSubmitted) {
 }
 
 TEST(CommandSchedule, NumbersTheEventsOfASceneAsWritten) {
-  CommandQueue queue({{5.0, ClearWind{}}, {0.0, PauseSimulation{}}}, std::nullopt);
+  CommandQueue queue({{5.0, ClearWind{}}, {0.0, PauseSimulation{}}});
   EXPECT_EQ(queue.scheduled_count(), 2U);
   EXPECT_THAT(sources(queue, 0.0), testing::ElementsAre("scene event 2"));
   EXPECT_THAT(sources(queue, 5.0), testing::ElementsAre("scene event 1"));
@@ -62,7 +62,7 @@ TEST(CommandSchedule, RefusesWhatHasPassed) {
 }
 
 TEST(CommandSchedule, IsBounded) {
-  CommandQueue queue({{1.0, ClearWind{}}}, std::nullopt);  // counts too
+  CommandQueue queue({{1.0, ClearWind{}}});  // counts too
   std::vector<ScheduleChange> changes;
   for (std::size_t i = 1; i < CommandQueue::kMostScheduled; ++i) {
     EXPECT_GT(queue.schedule(ClearWind{}, 5.0, "a").id, 0U);
@@ -92,31 +92,6 @@ TEST(CommandSchedule, TellsOfEveryChange) {
   EXPECT_THAT(sources(queue, 6.0), testing::IsEmpty());
 }
 
-TEST(CommandSchedule, KnowsTheWindThatWillBlowThen) {
-  CommandQueue queue({{20.0, westerly(8.0)}}, westerly(4.0).wind);
-  const auto speed = [&](std::optional<double> at) {
-    const auto wind = queue.wind_before(at);
-    return wind ? wind->velocity.norm() : 0.0;
-  };
-  EXPECT_DOUBLE_EQ(speed(std::nullopt), 4.0);
-  EXPECT_DOUBLE_EQ(speed(19.9), 4.0);
-  EXPECT_DOUBLE_EQ(speed(20.0), 8.0);
-  queue.submit(westerly(6.0), "a");
-  EXPECT_DOUBLE_EQ(speed(std::nullopt), 6.0);
-  EXPECT_DOUBLE_EQ(speed(30.0), 8.0);
-  queue.schedule(ClearWind{}, 25.0, "a");
-  EXPECT_FALSE(queue.wind_before(30.0));
-  sources(queue, 21.0);
-  EXPECT_DOUBLE_EQ(speed(std::nullopt), 6.0);  // the event fell due before the command was submitted: it came last
-}
-
-TEST(CommandSchedule, StepsAreTakenAfterAPauseThatFellDue) {
-  CommandQueue queue({{1.0, PauseSimulation{}}}, std::nullopt);
-  EXPECT_TRUE(queue.submit(StepSimulation{}, "a"));
-  sources(queue, 1.0);
-  EXPECT_FALSE(queue.submit(StepSimulation{}, "a"));
-}
-
 TEST(DescribeCommand, SaysWhatAndHowMuch) {
   SetCurrent current;
   current.current.velocity = current_velocity(1.5, 90.0);
@@ -138,19 +113,42 @@ CommandLog small_log() {
   return log;
 }
 
-TEST(Replay, GivesCommandsAtTheirStepsAndDoesNotPause) {
-  Replay replay(small_log());
-  std::vector<QueuedCommand> taken;
-  replay.take(2, taken);
-  EXPECT_TRUE(taken.empty());
-  replay.take(3, taken);
-  ASSERT_EQ(taken.size(), 1U);
-  EXPECT_EQ(taken[0].source, "replay of a");
-  replay.take(9, taken);
-  ASSERT_EQ(taken.size(), 2U);  // appended
-  EXPECT_TRUE(std::holds_alternative<ClearWind>(taken[1].command));
+TEST(Replay, GivesInputsAtTheirStepsAndDoesNotPause) {
+  CommandLog log = small_log();
+  BodyPose pose;
+  pose.body = 4;
+  log.poses = {{3, {pose, "bridge 7"}}, {8, {pose, "bridge 9"}}};
+  Replay replay(log);
+  StepInputs inputs;
+  replay.take(2, inputs);
+  EXPECT_TRUE(inputs.empty());
+  replay.take(3, inputs);
+  ASSERT_EQ(inputs.commands.size(), 1U);
+  EXPECT_EQ(inputs.commands[0].source, "replay of a");
+  ASSERT_EQ(inputs.poses.size(), 1U);
+  EXPECT_EQ(inputs.poses[0].source, "replay of bridge 7");
+  EXPECT_EQ(inputs.poses[0].pose.body, 4U);
+  replay.take(9, inputs);
+  ASSERT_EQ(inputs.commands.size(), 2U);  // appended
+  EXPECT_TRUE(std::holds_alternative<ClearWind>(inputs.commands[1].command));
+  EXPECT_EQ(inputs.poses.size(), 2U);
   EXPECT_FALSE(replay.ended(11));
   EXPECT_TRUE(replay.ended(12));
+}
+
+TEST(Replay, HoldsStatesAgainstTheLog) {
+  CommandLog log = small_log();
+  log.checks = {{0, 0.0, 5}, {10, 1.0, 6}, {20, 2.0, 7}, {30, 3.0, 8}};
+  Replay replay(log);
+  EXPECT_THAT(replay.checks_text(), HasSubstr("no state"));
+  EXPECT_EQ(replay.check(0, 5), "");
+  EXPECT_FALSE(replay.check_due(9));
+  EXPECT_EQ(replay.check(9, 1), "") << "the log says nothing of that step";
+  EXPECT_EQ(replay.check(10, 6), "");
+  EXPECT_EQ(replay.checks_text(), "2 states compared, the same bits");
+  EXPECT_THAT(replay.check(20, 99), HasSubstr("after 20 steps, at 2.000 s, is 0000000000000063"));
+  EXPECT_EQ(replay.check(30, 98), "") << "told once";
+  EXPECT_EQ(replay.checks_text(), "of 4 states compared, the first that differs is that after 20 steps");
 }
 
 TEST(Replay, IsOfItsOwnSceneOnly) {
@@ -169,25 +167,6 @@ TEST(Replay, OfACutOffLogDoesNotEnd) {
   CommandLog log = small_log();
   log.end.reset();
   EXPECT_FALSE(Replay(log).ended(1'000'000));
-}
-
-TEST(CommandSchedule, KnowsWhatWillBearANameAtATime) {
-  CommandQueue queue({{10.0, OilCommand{SetBoom{"scene's", {}, 0.5, 0.36}}}}, std::nullopt);
-  queue.submit(OilCommand{SetBoom{"now", {}, 0.5, 0.36}}, "a");
-  queue.schedule(OilCommand{RemoveBoom{"scene's"}}, 20.0, "a");
-  const auto booms = [&](std::optional<double> at) { return queue.names_before(at).booms; };
-  EXPECT_THAT(booms(std::nullopt), testing::ElementsAre("now"));
-  EXPECT_THAT(booms(10.0), testing::ElementsAre("now", "scene's"));
-  EXPECT_THAT(booms(20.0), testing::ElementsAre("now"));
-  sources(queue, 15.0);
-  EXPECT_THAT(booms(std::nullopt), testing::ElementsAre("now", "scene's"));
-  sources(queue, 25.0);
-  EXPECT_THAT(booms(std::nullopt), testing::ElementsAre("now"));
-  GivenNames told;  // the world has refused that boom, and has a probe
-  told.probes.insert(4);
-  queue.set_names(told);
-  EXPECT_THAT(booms(std::nullopt), testing::IsEmpty());
-  EXPECT_TRUE(queue.names_before(std::nullopt).probes.contains(4));
 }
 
 }  // namespace

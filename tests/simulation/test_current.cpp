@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "basin.hpp"
+#include "give.hpp"
 #include "simulation/world.hpp"
 
 namespace pelagos {
@@ -106,7 +107,7 @@ TEST(CurrentInAChannel, WaterAtRestFollowsWithinOnePercent) {
   World world(channel(), {2, nullptr, {}});
   CurrentSettings current = easterly(1.0);
   current.relaxation = 1.0;
-  world.set_current(current, 0.0);
+  static_cast<void>(test::give(world, SetCurrent{current, 0.0}));
   advance_to(world, 1.0);
   // du/dt = (U - u) / T: 1 - 1/e after T.
   EXPECT_NEAR(mean_speed(world), 1.0 - std::exp(-1.0), 0.02);
@@ -118,7 +119,7 @@ TEST(CurrentInAChannel, WaterAtRestFollowsWithinOnePercent) {
 
 TEST(CurrentInAChannel, FollowsARampWithoutLag) {
   World world(channel(), {2, nullptr, {}});
-  world.set_current(easterly(1.0), 4.0);  // with the default relaxation of 5 s
+  static_cast<void>(test::give(world, SetCurrent{easterly(1.0), 4.0}));  // with the default relaxation of 5 s
   advance_to(world, 2.0);
   EXPECT_NEAR(mean_speed(world), 0.5, 0.01);
   advance_to(world, 4.5);
@@ -134,7 +135,7 @@ TEST(CurrentInAChannel, DoesNotDependOnTheTimeStep) {
     World world(scene, {2, nullptr, {}});
     CurrentSettings current = easterly(1.0);
     current.relaxation = 2.0;
-    world.set_current(current, 0.0);
+    static_cast<void>(test::give(world, SetCurrent{current, 0.0}));
     advance_to(world, 1.0);
     speeds[i] = mean_speed(world);
   }
@@ -185,7 +186,7 @@ TEST(CurrentInAChannel, IsTheSameBitsForAnyNumberOfThreads) {
   World one(scene, {1, nullptr, {}}), seven(scene, {7, nullptr, {}});
   for (int step = 0; step < 60; ++step) {
     if (step == 20)
-      for (World* world : {&one, &seven}) world->set_current(easterly(0.4), 0.3);
+      for (World* world : {&one, &seven}) static_cast<void>(test::give(*world, SetCurrent{easterly(0.4), 0.3}));
     one.advance();
     seven.advance();
     ASSERT_EQ(state_hash(one.fluid().particles), state_hash(seven.fluid().particles)) << step;
@@ -197,7 +198,7 @@ TEST(CurrentInAChannel, ComesToRestWhenCleared) {
   scene.current = easterly(1.0);
   scene.current->relaxation = 0.5;
   World world(scene, {2, nullptr, {}});
-  world.clear_current();
+  static_cast<void>(test::give(world, ClearCurrent{}));
   EXPECT_FALSE(world.current());
   EXPECT_EQ(world.current_at({1, 1, 1}, 0.0), Eigen::Vector3d::Zero());
   advance_to(world, 3.0);  // e^-6
@@ -266,17 +267,17 @@ TEST(WorldCommands, DoWhatTheySay) {
   World world(channel(), {1, nullptr, {}});
   SetWind wind;
   wind.wind.velocity = {5, 0, 0};
-  ASSERT_EQ(world.apply(wind), std::nullopt);
+  ASSERT_EQ(test::give(world, wind), std::nullopt);
   EXPECT_EQ(world.wind()->velocity.x(), 5.0);
-  ASSERT_EQ(world.apply(ClearWind{}), std::nullopt);
+  ASSERT_EQ(test::give(world, ClearWind{}), std::nullopt);
   EXPECT_FALSE(world.wind());
-  ASSERT_EQ(world.apply(SetCurrent{easterly(2.0), 0.0}), std::nullopt);
+  ASSERT_EQ(test::give(world, SetCurrent{easterly(2.0), 0.0}), std::nullopt);
   EXPECT_NEAR(world.current()->velocity.x(), 2.0, kRounding);
-  ASSERT_EQ(world.apply(ClearCurrent{}), std::nullopt);
+  ASSERT_EQ(test::give(world, ClearCurrent{}), std::nullopt);
   EXPECT_FALSE(world.current());
-  ASSERT_EQ(world.apply(SetEffort{{0.003, 1e-3, 2e-3}, ""}), std::nullopt);
+  ASSERT_EQ(test::give(world, SetEffort{{0.003, 1e-3, 2e-3}, ""}), std::nullopt);
   EXPECT_EQ(world.effort(), (Effort{0.003, 1e-3, 2e-3}));
-  ASSERT_EQ(world.apply(PauseSimulation{}), std::nullopt);
+  ASSERT_EQ(test::give(world, PauseSimulation{}), std::nullopt);
   EXPECT_GT(world.advance().report.dt, 0.0);
 }
 

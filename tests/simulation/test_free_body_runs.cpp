@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "floating.hpp"
+#include "give.hpp"
 #include "simulation/world.hpp"
 
 namespace pelagos {
@@ -132,7 +133,7 @@ TEST(FreeBodyRuns, RestOnSceneryAndArePushedByDrivenHulls) {
     pose.time = 0.02 * k;
     pose.position = ram.position + Eigen::Vector3d(0.5 * pose.time, 0, 0);
     pose.velocity = {0.5, 0, 0};
-    world.accept_pose(pose);
+    test::give(world, pose);
     run_until(world, 1.0 + 0.02 * (k + 1), expect_sound);
   }
   const double gap = body_of(world, 0).position.x() - body_of(world, 2).position.x();
@@ -154,7 +155,7 @@ TEST(FreeBodyRuns, AreLedInTheHorizontalAndFloatByThemselves) {
     pose.velocity = {0.6, 0, 0};
     pose.orientation = Eigen::AngleAxisd(0.2 * pose.time, Eigen::Vector3d::UnitZ());
     pose.angular_velocity = {0, 0, 0.2};
-    world.accept_pose(pose);
+    test::give(world, pose);
     run_until(world, 0.02 * (k + 1), expect_sound);
   }
   const BodyState state = body_of(world);
@@ -185,7 +186,7 @@ TEST(FreeBodyRuns, LedShipsJumpAndAreRammedIntoWallsWithoutABlast) {
       pose.time = 0.02 * k;
       pose.position = place(jump, pose.time);
       if (!jump) pose.velocity = {1.5, 0, 0};
-      world.accept_pose(pose);
+      test::give(world, pose);
       run_until(world, 0.02 * (k + 1), [&](const WorldStep& step) {
         ASSERT_EQ(step.report.not_finite, 0U);
         fastest = std::max(fastest, step.report.largest_speed);
@@ -204,7 +205,7 @@ TEST(FreeBodyRuns, CarryTheirWeightAsLoad) {
   while (world.time() < 5.0) {
     WorldStep step = world.advance();
     if (!step.frame_reached) continue;
-    world.fill_snapshot(snapshot, step.report);
+    world.take_frame(snapshot, step.report);
     ASSERT_EQ(snapshot.loads.size(), 1U);
     if (world.time() < 2.0) continue;
     const BodyLoad& load = snapshot.loads[0];
@@ -255,14 +256,14 @@ class FreeBodyDrift : public testing::TestWithParam<TankEdge> {};
 TEST_P(FreeBodyDrift, GoesWithTheCurrentAsTheSlickDoes) {
   // Between walls the particles stay, between periodic faces they flow: what drifts must not tell the difference.
   World world(drifters(GetParam()), {2, nullptr, {}});
-  ASSERT_EQ(world.apply(OilCommand{SpillOil{{2.0, 0.9}, 0.002, 0.2}}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{SpillOil{{2.0, 0.9}, 0.002, 0.2}}), std::nullopt);
   double probe = 0.0, lift = 0.0, along = 0.0, time = 0.0;
   run_until(world, 5.0, [&](const WorldStep& step) {
     expect_sound(step);
     if (!step.frame_reached) return;
     Snapshot snapshot;
     StepReport report;
-    world.fill_snapshot(snapshot, report);
+    world.take_frame(snapshot, report);
     probe += snapshot.probes[0].velocity.x();
     const Eigen::Vector3d force = snapshot.bodies[0].orientation * snapshot.loads[0].force;
     along += force.x();

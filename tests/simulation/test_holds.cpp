@@ -79,7 +79,7 @@ Scene afloat(const BoatFile& boat, double bottom, BodyDrive drive = BodyDrive::k
 BodyLoad load_of(World& world) {
   Snapshot snapshot;
   StepReport report;
-  world.fill_snapshot(snapshot, report);
+  world.take_frame(snapshot, report);
   return snapshot.loads.at(0);
 }
 

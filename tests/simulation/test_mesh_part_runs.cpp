@@ -108,7 +108,7 @@ TEST(MeshPartRuns, AnOpenBoatThatJustFitsIsLoweredAndFloatsByHerWeight) {
   run_until(world, 24.0, [&](const WorldStep& step) {
     expect_sound(step);
     if (!step.frame_reached || world.time() < 16.0) return;
-    world.fill_snapshot(snapshot, report);
+    world.take_frame(snapshot, report);
     buoyant += snapshot.loads[0].buoyant_force.z();
     bottom += body_of(world).position.z();
     ++frames;

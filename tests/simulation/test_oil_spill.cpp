@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "give.hpp"
 #include "oily_basin.hpp"
 #include "simulation/world.hpp"
 
@@ -31,7 +32,7 @@ double largest_density(World& world, double time) {
 
 TEST(OilSpill, ASourceBringsItsRateForItsTime) {
   World world = make_world(test::oily_basin(OilModel::kParticles));
-  EXPECT_EQ(world.apply(OilCommand{leak()}), std::nullopt);
+  EXPECT_EQ(test::give(world, OilCommand{leak()}), std::nullopt);
   test::run_with_ledger(world, 2.0);
   const OilBudget oil = test::budget_of(world);
   EXPECT_EQ(oil.particles, 32U);
@@ -44,13 +45,13 @@ TEST(OilSpill, ASourceBringsItsRateForItsTime) {
 TEST(OilSpill, MakesNoPressureSpike) {
   World with = make_world(test::oily_basin(OilModel::kParticles)),
         without = make_world(test::oily_basin(OilModel::kParticles));
-  ASSERT_EQ(with.apply(OilCommand{leak()}), std::nullopt);
+  ASSERT_EQ(test::give(with, OilCommand{leak()}), std::nullopt);
   EXPECT_LT(largest_density(with, 1.0), largest_density(without, 1.0) + 0.03);
 }
 
 TEST(OilSpill, FilmTakesWhatTheSlickModelReleases) {
   World world = make_world(test::oily_basin(OilModel::kSlick));
-  ASSERT_EQ(world.apply(OilCommand{leak()}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{leak()}), std::nullopt);
   test::run_with_ledger(world, 2.0);
   const OilBudget oil = test::budget_of(world);
   EXPECT_EQ(oil.particles, 0U);
@@ -65,7 +66,7 @@ TEST(OilSpill, OilGoesBetweenParticlesAndFilm) {
   ReleaseOil thin = leak();
   thin.from = thin.to = {2.5, 2.0, 1.1};            // near the surface
   thin.rate = 3600.0 * 2.0 * test::kBasinParticle;  // two particles a second: never a layer
-  ASSERT_EQ(world.apply(OilCommand{thin}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{thin}), std::nullopt);
   test::run_with_ledger(world, 3.0);
   EXPECT_GT(test::budget_of(world).ledger.afloat, 0) << "lone particles became film";
   EXPECT_EQ(test::budget_of(world).ledger.released, 2 * to_milligrams(test::kBasinParticle * 877.0));
@@ -73,14 +74,14 @@ TEST(OilSpill, OilGoesBetweenParticlesAndFilm) {
 
 TEST(OilSpill, SkimmerRecoversAndTellsWhenItIsDry) {
   World world = make_world(test::oily_basin(OilModel::kSlick));
-  ASSERT_EQ(world.apply(OilCommand{SetSkimmer{"rig", {2.5, 2.0}, 1.0, 500.0}}), std::nullopt);
-  ASSERT_EQ(world.apply(OilCommand{SpillOil{{2.5, 2.0}, 0.05, 0.4}}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{SetSkimmer{"rig", {2.5, 2.0}, 1.0, 500.0}}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{SpillOil{{2.5, 2.0}, 0.05, 0.4}}), std::nullopt);
   test::run_with_ledger(world, 1.0);
   ASSERT_EQ(test::budget_of(world).skimmers.size(), 1U);
   EXPECT_EQ(test::budget_of(world).skimmers[0].name, "rig");
   EXPECT_GT(test::budget_of(world).ledger.recovered, 0);
   EXPECT_EQ(test::budget_of(world).ledger.recovered, test::budget_of(world).skimmers[0].recovered);
-  ASSERT_EQ(world.apply(OilCommand{SetSkimmer{"far", {0.5, 0.5}, 0.1, 500.0}}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{SetSkimmer{"far", {0.5, 0.5}, 0.1, 500.0}}), std::nullopt);
   test::run_with_ledger(world, 1.2);
   EXPECT_TRUE(test::budget_of(world).skimmers[0].dry) << "far, by name first, on dry water";
 }
@@ -89,10 +90,10 @@ TEST(OilSpill, DriftsWithACurrentThatTheTankCannotFollow) {
   Scene scene = test::oily_basin(OilModel::kSlick);
   scene.tank_edges = {TankEdge::kMirror, TankEdge::kMirror, TankEdge::kMirror};
   World world = make_world(scene);
-  ASSERT_EQ(world.apply(OilCommand{SpillOil{{1.5, 2.0}, 0.01, 0.3}}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{SpillOil{{1.5, 2.0}, 0.01, 0.3}}), std::nullopt);
   SetCurrent current;
   current.current.velocity = {0.5, 0.0, 0.0};
-  ASSERT_EQ(world.apply(current), std::nullopt);
+  ASSERT_EQ(test::give(world, current), std::nullopt);
   test::run_with_ledger(world, 3.0);
   double x = 0.0, mass = 0.0;
   for (const SlickDisc& disc : world.spill()->discs()) {
@@ -113,7 +114,7 @@ TEST(OilSpill, DriftsWithThreeHundredthsOfTheWindUnderEveryLaw) {
     scene.wind->velocity = {10.0, 0.0, 0.0};
     scene.wind->amplitude = 0.0;
     World world = make_world(scene);
-    ASSERT_EQ(world.apply(OilCommand{SpillOil{{1.0, 2.0}, 0.001, 0.1}}), std::nullopt);
+    ASSERT_EQ(test::give(world, OilCommand{SpillOil{{1.0, 2.0}, 0.001, 0.1}}), std::nullopt);
     test::run_with_ledger(world, 3.0);
     double x = 0.0, mass = 0.0;
     for (const SlickDisc& disc : world.spill()->discs()) {
@@ -144,7 +145,7 @@ TEST(OilSpill, ACurrentStraightOnToAQuayEndsThere) {
   quay.position = {3.75, 2.0, 1.0};  // its face at x = 3.5
   scene.bodies = {quay};
   World world = make_world(scene);
-  ASSERT_EQ(world.apply(OilCommand{SpillOil{{2.5, 2.0}, 1e-5, 0.1}}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{SpillOil{{2.5, 2.0}, 1e-5, 0.1}}), std::nullopt);
   test::run_with_ledger(world, 4.0);
   for (const Eigen::Vector2d& place : places_of(world)) {
     EXPECT_NEAR(place.x(), 3.5 - 0.25 * 0.25, 0.02);  // it keeps a quarter of a spacing
@@ -159,7 +160,7 @@ TEST(OilSpill, NeverLeavesAClosedBasin) {
   scene.current.emplace();
   scene.current->velocity = {1.0, 0.6, 0.0};
   World world = make_world(scene);
-  ASSERT_EQ(world.apply(OilCommand{SpillOil{{3.0, 2.5}, 0.01, 0.5}}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{SpillOil{{3.0, 2.5}, 0.01, 0.5}}), std::nullopt);
   test::run_with_ledger(world, 4.0);
   EXPECT_EQ(test::budget_of(world).ledger.left_patch, 0);
   const std::vector<Eigen::Vector2d> places = places_of(world);
@@ -175,14 +176,14 @@ TEST(OilSpill, AHullThatMovesPushesOilBeforeIt) {
   hull.position = {1.2, 2.0, 1.3};
   scene.bodies = {hull};
   World world = make_world(scene);
-  ASSERT_EQ(world.apply(OilCommand{SpillOil{{2.0, 2.0}, 1e-4, 0.2}}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{SpillOil{{2.0, 2.0}, 1e-4, 0.2}}), std::nullopt);
   while (world.time() < 2.0) {
     BodyPose pose;
     pose.body = 1;
     pose.time = world.time() + 1.0;
     pose.position = hull.position + Eigen::Vector3d(0.6 * world.time(), 0, 0);
     pose.velocity = {0.6, 0, 0};
-    ASSERT_TRUE(world.accept_pose(pose));
+    test::give(world, pose);
     world.advance();
     const Eigen::Vector3d middle = world.bodies().states()[0].position;
     for (const Eigen::Vector2d& place : places_of(world)) {
@@ -201,7 +202,7 @@ TEST(OilSpill, AFloodOfOilEndsInTheFilm) {
   ReleaseOil flood = leak();
   flood.rate = 1e6;
   flood.duration = 2.0;
-  ASSERT_EQ(world.apply(OilCommand{flood}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{flood}), std::nullopt);
   test::run_with_ledger(world, 2.5);
   const OilBudget budget = test::budget_of(world);
   EXPECT_NEAR(to_kilograms(budget.ledger.released), 555.6 * 877.0, 0.01 * 555.6 * 877.0);
@@ -213,7 +214,7 @@ TEST(OilSpill, TheSameBitsForAnyNumberOfThreads) {
   OilLedger ledger;
   for (const int threads : {1, 3}) {
     World world = make_world(test::oily_basin(OilModel::kBoth), threads);
-    ASSERT_EQ(world.apply(OilCommand{leak()}), std::nullopt);
+    ASSERT_EQ(test::give(world, OilCommand{leak()}), std::nullopt);
     test::run_with_ledger(world, 1.5);
     if (threads == 1) {
       hash = state_hash(world.fluid().particles);
@@ -227,24 +228,24 @@ TEST(OilSpill, TheSameBitsForAnyNumberOfThreads) {
 
 TEST(OilSpill, RefusesWhatCannotBe) {
   World dry = make_world(test::basin());
-  EXPECT_THAT(dry.apply(OilCommand{leak()}), Optional(HasSubstr("the scene has no oil")));
+  EXPECT_THAT(test::give(dry, OilCommand{leak()}), Optional(HasSubstr("the scene has no oil")));
 
   World world = make_world(test::oily_basin(OilModel::kParticles));
   ReleaseOil wrong = leak();
   wrong.from.x() = 7.0;
-  EXPECT_THAT(world.apply(OilCommand{wrong}), Optional(AllOf(HasSubstr("from: (7, 2, 0.5) m is outside the tank"),
-                                                             HasSubstr("allowed: (0, 0, 0) to (5, 4, 3)"))));
+  EXPECT_THAT(test::give(world, OilCommand{wrong}), Optional(AllOf(HasSubstr("from: (7, 2, 0.5) m is outside the tank"),
+                                                                   HasSubstr("allowed: (0, 0, 0) to (5, 4, 3)"))));
   wrong = leak();
   wrong.body = 9;
-  EXPECT_THAT(world.apply(OilCommand{wrong}), Optional(HasSubstr("body: the scene has no body 9")));
+  EXPECT_THAT(test::give(world, OilCommand{wrong}), Optional(HasSubstr("body: the scene has no body 9")));
   wrong = leak();
   wrong.duration = 1000.0;
-  EXPECT_THAT(world.apply(OilCommand{wrong}), Optional(HasSubstr("oil.most_particles 285")));
-  EXPECT_THAT(world.apply(OilCommand{StopRelease{"no"}}), Optional(HasSubstr("no source \"no\" is running")));
-  EXPECT_THAT(world.apply(OilCommand{SetBoom{"b", {{1, 1}, {2, 2}}, 0.5, 0.36}}),
+  EXPECT_THAT(test::give(world, OilCommand{wrong}), Optional(HasSubstr("oil.most_particles 285")));
+  EXPECT_THAT(test::give(world, OilCommand{StopRelease{"no"}}), Optional(HasSubstr("name: there is no source \"no\"")));
+  EXPECT_THAT(test::give(world, OilCommand{SetBoom{"b", {{1, 1}, {2, 2}}, 0.5, 0.36}}),
               Optional(HasSubstr("allowed with oil.model SLICK or BOTH")));
-  EXPECT_THAT(world.apply(OilCommand{SpillOil{{1, 1}, 1.0, 1.0}}), Optional(HasSubstr("slick layer")));
-  EXPECT_THAT(world.apply(OilCommand{RemoveBoom{"b"}}), Optional(HasSubstr("b")));
+  EXPECT_THAT(test::give(world, OilCommand{SpillOil{{1, 1}, 1.0, 1.0}}), Optional(HasSubstr("slick layer")));
+  EXPECT_THAT(test::give(world, OilCommand{RemoveBoom{"b"}}), Optional(HasSubstr("b")));
   EXPECT_TRUE(world.spill()->empty());
 }
 
@@ -254,10 +255,10 @@ TEST(OilSpill, ASourceWithoutAnEndStopsAtTheBound) {
   World world = make_world(scene);
   ReleaseOil endless = leak();
   endless.duration = INFINITY;
-  ASSERT_EQ(world.apply(OilCommand{endless}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{endless}), std::nullopt);
   test::run_with_ledger(world, 1.0);
   EXPECT_EQ(test::budget_of(world).particles, 10U);
-  EXPECT_EQ(world.apply(OilCommand{StopRelease{"leak"}}), std::nullopt);
+  EXPECT_EQ(test::give(world, OilCommand{StopRelease{"leak"}}), std::nullopt);
 }
 
 TEST(OilSpill, NoOilNoCost) {

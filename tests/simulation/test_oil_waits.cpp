@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "give.hpp"
 #include "oily_basin.hpp"
 #include "values/oil_limits.hpp"
 #include "world_access.hpp"
@@ -26,7 +27,7 @@ TEST(OilWaits, InTheAirAndIsCountedWhenTheSourceEnds) {
   World world(test::oily_basin(OilModel::kParticles), {1, nullptr, {}});
   ReleaseOil high = source_at(2.5, 2.0, 2.9);  // farther above the water than oil falls: four spacings
   high.duration = 2.0;
-  ASSERT_EQ(world.apply(OilCommand{high}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{high}), std::nullopt);
   test::run_with_ledger(world, 1.9);
   ASSERT_EQ(test::budget_of(world).sources.size(), 1U);
   const SourceStatus source = test::budget_of(world).sources[0];
@@ -44,7 +45,7 @@ TEST(OilWaits, AtTheBoundOnParticles) {
   Scene scene = test::oily_basin(OilModel::kParticles);
   scene.oil->most_particles = 3;
   World world(scene, {1, nullptr, {}});
-  ASSERT_EQ(world.apply(OilCommand{source_at(2.5, 2.0, 0.5)}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{source_at(2.5, 2.0, 0.5)}), std::nullopt);
   test::run_with_ledger(world, 0.4);
   EXPECT_EQ(test::budget_of(world).sources[0].wait, SourceWait::kNone);
   test::run_with_ledger(world, 1.0);
@@ -56,7 +57,7 @@ TEST(OilWaits, NotAtTheBoundWhereThereIsAFilm) {
   Scene scene = test::oily_basin(OilModel::kBoth);
   scene.oil->most_particles = 3;
   World world(scene, {1, nullptr, {}});
-  ASSERT_EQ(world.apply(OilCommand{source_at(2.5, 2.0, 0.5)}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{source_at(2.5, 2.0, 0.5)}), std::nullopt);
   while (world.time() < 2.0) {
     test::run_with_ledger(world, world.time() + 0.05);
     EXPECT_EQ(test::budget_of(world).sources[0].waiting, 0.0);
@@ -69,7 +70,7 @@ TEST(OilWaits, OnDryGroundUntilTheWaterComes) {
   scene.tank.max.x() = 10.0;
   scene.water.settle_steps = 0;  // 5 m of water begin to run out over 5 m of dry floor
   World world(test::oily_basin(OilModel::kSlick, scene), {1, nullptr, {}});
-  ASSERT_EQ(world.apply(OilCommand{source_at(9.5, 2.0, 0.2)}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{source_at(9.5, 2.0, 0.2)}), std::nullopt);
   test::run_with_ledger(world, 0.6);
   EXPECT_EQ(test::budget_of(world).sources[0].wait, SourceWait::kNoWater);
   EXPECT_EQ(test::budget_of(world).ledger.released, 0);
@@ -80,11 +81,11 @@ TEST(OilWaits, OnDryGroundUntilTheWaterComes) {
 
 TEST(OilWaits, ASourceThatIsStoppedBringsOutWhatHasFlowed) {
   World world(test::oily_basin(OilModel::kSlick), {1, nullptr, {}});
-  ASSERT_EQ(world.apply(OilCommand{source_at(2.5, 2.0, 0.5)}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{source_at(2.5, 2.0, 0.5)}), std::nullopt);
   test::run_with_ledger(world, 0.8);
   const double time = world.time();
-  ASSERT_EQ(world.apply(OilCommand{StopRelease{"leak"}}), std::nullopt);
-  EXPECT_THAT(world.apply(OilCommand{StopRelease{"leak"}}), Optional(HasSubstr("no source \"leak\" is running")));
+  ASSERT_EQ(test::give(world, OilCommand{StopRelease{"leak"}}), std::nullopt);
+  EXPECT_THAT(test::give(world, OilCommand{StopRelease{"leak"}}), Optional(HasSubstr("no source \"leak\" is running")));
   test::run_with_ledger(world, 1.5);
   EXPECT_NEAR(to_kilograms(test::budget_of(world).ledger.released), 0.1 * time * 877.0, 1e-3);
   EXPECT_EQ(test::budget_of(world).held_back, 0.0);
@@ -96,21 +97,22 @@ TEST(OilWaits, NotForOneSourceTooMany) {
   ReleaseOil source = source_at(2.5, 2.0, 0.5);
   for (std::size_t i = 0; i < kMostReleases; ++i) {
     source.name = "source " + std::to_string(i);
-    ASSERT_EQ(world.apply(OilCommand{source}), std::nullopt);
+    ASSERT_EQ(test::give(world, OilCommand{source}), std::nullopt);
   }
-  EXPECT_EQ(world.apply(OilCommand{source}), std::nullopt) << "in the place of the one of that name";
+  EXPECT_EQ(test::give(world, OilCommand{source}), std::nullopt) << "in the place of the one of that name";
   source.name = "more";
-  EXPECT_THAT(world.apply(OilCommand{source}), Optional(HasSubstr("100 sources are running; allowed: at most 100")));
+  EXPECT_THAT(test::give(world, OilCommand{source}),
+              Optional(HasSubstr("100 sources are running; allowed: at most 100")));
 }
 
 TEST(OilWaits, NotInAHullThatIsNoWiderThanItsReach) {
   const test::CubeFile cube;
   World world(test::oily_basin(OilModel::kParticles, test::basin_with_cube(cube)), {1, nullptr, {}});
-  EXPECT_THAT(world.apply(OilCommand{source_at(2.5, 2.0, 0.9)}),
+  EXPECT_THAT(test::give(world, OilCommand{source_at(2.5, 2.0, 0.9)}),
               Optional(HasSubstr("from: (2.5, 2, 0.9) m is inside a hull")));
   ReleaseOil breach = source_at(0.0, 0.0, -0.2);
   breach.body = 1;
-  ASSERT_EQ(world.apply(OilCommand{breach}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{breach}), std::nullopt);
   test::run_with_ledger(world, 1.0);
   EXPECT_GT(test::budget_of(world).particles, 0U) << "it comes out beside the cube";
 }
@@ -126,7 +128,7 @@ World busy_world() {
   for (const OilCommand& command : std::initializer_list<OilCommand>{
            deep, high, SpillOil{{3.5, 2.0}, 0.05, 0.5}, SetBoom{"boom", {{4.0, 1.0}, {4.0, 3.0}}, 0.5, 0.36},
            SetSkimmer{"rig", {3.5, 2.0}, 0.5, 20.0}})
-    EXPECT_EQ(world.apply(command), std::nullopt);
+    EXPECT_EQ(test::give(world, command), std::nullopt);
   test::run_with_ledger(world, 1.5);
   return world;
 }
@@ -178,15 +180,15 @@ TEST(OilRestored, IsAsItWasBeforeTheFault) {
 
 TEST(OilRestored, KeepsWhatWasOrderedSinceTheLastStep) {
   World world = busy_world();
-  ASSERT_EQ(world.apply(OilCommand{SetBoom{"late", {{1.0, 1.0}, {1.0, 3.0}}, 0.5, 0.36}}), std::nullopt);
-  ASSERT_EQ(world.apply(OilCommand{RemoveSkimmer{"rig"}}), std::nullopt);
-  ASSERT_EQ(world.apply(OilCommand{SpillOil{{2.0, 2.0}, 0.01, 0.3}}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{SetBoom{"late", {{1.0, 1.0}, {1.0, 3.0}}, 0.5, 0.36}}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{RemoveSkimmer{"rig"}}), std::nullopt);
+  ASSERT_EQ(test::give(world, OilCommand{SpillOil{{2.0, 2.0}, 0.01, 0.3}}), std::nullopt);
   const OilBudget ordered = test::budget_of(world);
   break_a_particle(world);
   ASSERT_EQ(world.advance().fault, StepFault::kRestored);
   expect_same(test::budget_of(world), ordered);
   EXPECT_TRUE(test::budget_of(world).skimmers.empty());
-  EXPECT_EQ(world.apply(OilCommand{RemoveBoom{"late"}}), std::nullopt) << "its event has been told";
+  EXPECT_EQ(test::give(world, OilCommand{RemoveBoom{"late"}}), std::nullopt) << "its event has been told";
   test::run_with_ledger(world, world.time() + 0.5);
 }
 

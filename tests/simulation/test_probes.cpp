@@ -1,3 +1,4 @@
+#include "give.hpp"
 #include "simulation/probes.hpp"
 
 #include <gmock/gmock.h>
@@ -134,16 +135,16 @@ TEST(Probes, GoWithTheirBody) {
 TEST(Probes, AreAddedReplacedAndRemovedByCommands) {
   World world(test::basin(), {1, nullptr, {}});
   EXPECT_TRUE(world.read_probes().empty());
-  EXPECT_EQ(world.apply(SetProbe{probe_at(1.0, 1.0, 7)}), std::nullopt);
-  EXPECT_EQ(world.apply(SetProbe{probe_at(2.0, 1.0, 7)}), std::nullopt);
+  EXPECT_EQ(test::give(world, SetProbe{probe_at(1.0, 1.0, 7)}), std::nullopt);
+  EXPECT_EQ(test::give(world, SetProbe{probe_at(2.0, 1.0, 7)}), std::nullopt);
   EXPECT_EQ(read_one(world).position.x(), 2.0);
   StepReport report;
   Snapshot snapshot;
-  world.fill_snapshot(snapshot, report);
+  world.take_frame(snapshot, report);
   ASSERT_EQ(snapshot.probes.size(), 1U);
   EXPECT_EQ(snapshot.probes[0].id, 7U);
-  EXPECT_EQ(world.apply(RemoveProbe{7}), std::nullopt);
-  world.fill_snapshot(snapshot, report);
+  EXPECT_EQ(test::give(world, RemoveProbe{7}), std::nullopt);
+  world.take_frame(snapshot, report);
   EXPECT_TRUE(snapshot.probes.empty());
 }
 
@@ -151,13 +152,13 @@ TEST(Probes, AreRefusedWhereTheyCannotBe) {
   World world(test::basin(), {1, nullptr, {}});
   ProbeSettings on_nobody = probe_at(1.0, 1.0);
   on_nobody.body = 9;
-  EXPECT_THAT(world.apply(SetProbe{on_nobody}), Optional(HasSubstr("no body 9; allowed: ")));
-  EXPECT_THAT(world.apply(SetProbe{probe_at(6.0, 1.0)}), Optional(HasSubstr("(6, 1) m is outside the tank")));
-  EXPECT_THAT(world.apply(RemoveProbe{3}), Optional(HasSubstr("no probe 3")));
+  EXPECT_THAT(test::give(world, SetProbe{on_nobody}), Optional(HasSubstr("no body 9; allowed: ")));
+  EXPECT_THAT(test::give(world, SetProbe{probe_at(6.0, 1.0)}), Optional(HasSubstr("(6, 1) m is outside the tank")));
+  EXPECT_THAT(test::give(world, RemoveProbe{3}), Optional(HasSubstr("no probe 3")));
   for (std::uint32_t id = 1; id <= kMostProbes; ++id)
-    ASSERT_EQ(world.apply(SetProbe{probe_at(1.0, 1.0, id)}), std::nullopt);
-  EXPECT_THAT(world.apply(SetProbe{probe_at(1.0, 1.0, kMostProbes + 1)}), Optional(HasSubstr("256")));
-  EXPECT_EQ(world.apply(SetProbe{probe_at(2.0, 1.0, 5)}), std::nullopt) << "replacing is no more";
+    ASSERT_EQ(test::give(world, SetProbe{probe_at(1.0, 1.0, id)}), std::nullopt);
+  EXPECT_THAT(test::give(world, SetProbe{probe_at(1.0, 1.0, kMostProbes + 1)}), Optional(HasSubstr("256")));
+  EXPECT_EQ(test::give(world, SetProbe{probe_at(2.0, 1.0, 5)}), std::nullopt) << "replacing is no more";
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include "fields/field_hash.hpp"
+#include "give.hpp"
 #include "simulation/world.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +51,7 @@ TEST(World, IsSeenBeforeItsFirstStep) {
       World world(scene, {1, nullptr, {}});
       Snapshot snapshot;
       StepReport report;
-      world.fill_snapshot(snapshot, report);
+      world.take_frame(snapshot, report);
       EXPECT_GT(snapshot.particles.size(), 200U) << "its surface";  // a column in four at least: 19 x 15 columns
       ASSERT_EQ(snapshot.bodies.size(), 1U);
       EXPECT_TRUE(snapshot.bodies[0].position.allFinite());
@@ -64,11 +66,11 @@ TEST(World, SameBitsForOneTwoAndSevenThreads) {
   Snapshot a, b;
   for (int step = 0; step < 60; ++step) {
     for (World* world : {&one, &two, &seven}) {
-      if (step % 2 == 0) world->accept_pose(pose_at(0.02 * step, 2.5 + 0.01 * step, 0.5));
+      if (step % 2 == 0) test::give(*world, pose_at(0.02 * step, 2.5 + 0.01 * step, 0.5));
       if (step == 30) {
         WindSettings stronger = breeze();
         stronger.velocity *= 2.0;
-        world->set_wind(stronger, 0.2);
+        static_cast<void>(test::give(*world, SetWind{stronger, 0.2}));
       }
     }
     WorldStep s = one.advance(), t = two.advance();
@@ -77,8 +79,8 @@ TEST(World, SameBitsForOneTwoAndSevenThreads) {
     ASSERT_EQ(state_hash(one.fluid().particles), state_hash(seven.fluid().particles))
         << "first differing step " << step;
     if (!s.frame_reached) continue;
-    one.fill_snapshot(a, s.report);
-    two.fill_snapshot(b, t.report);
+    one.take_frame(a, s.report);
+    two.take_frame(b, t.report);
     ASSERT_EQ(a.particles.size(), b.particles.size());
     for (std::size_t i = 0; i < a.particles.size(); ++i) {
       ASSERT_EQ(a.particles[i].position, b.particles[i].position);
@@ -105,7 +107,7 @@ TEST(World, WaterMakesRoomForAHullAndStaysOutOfIt) {
   EXPECT_LT(world.fluid().particles.count, 1140U);
   const std::size_t count = world.fluid().particles.count;
   for (int step = 0; step < 120; ++step) {
-    world.accept_pose(pose_at(0.01 * step, 2.5, 0.0));
+    test::give(world, pose_at(0.01 * step, 2.5, 0.0));
     const WorldStep made = world.advance();
     ASSERT_EQ(made.report.not_finite, 0U);
     ASSERT_EQ(made.report.outside, 0U);
@@ -123,9 +125,9 @@ TEST(World, AJumpingBodyLosesNoWaterAndTrapsNone) {
   const CubeFile cube;
   World world(basin_with_cube(cube), {2, nullptr, {}});
   const std::size_t count = world.fluid().particles.count;
-  world.accept_pose(pose_at(0.0, 1.0, 0.0));
+  test::give(world, pose_at(0.0, 1.0, 0.0));
   for (int step = 0; step < 40; ++step) world.advance();
-  world.accept_pose(pose_at(10.0, 4.0, 0.0));
+  test::give(world, pose_at(10.0, 4.0, 0.0));
   double fastest = 0.0;
   for (int step = 0; step < 80; ++step) {
     const WorldStep made = world.advance();
@@ -197,11 +199,11 @@ TEST(World, TellsTheAirThatPushesItsWater) {
   World world(scene, {1, nullptr, {}});
   EXPECT_FALSE(world.air());
   WindSettings wind = breeze();
-  world.set_wind(wind, 0.0);
+  static_cast<void>(test::give(world, SetWind{wind, 0.0}));
   ASSERT_TRUE(world.air());
   const Eigen::Vector3d mast(1.0, 2.0, world.water_level() + 10.0);
   wind.amplitude = 0.0;
-  world.set_wind(wind, 0.0);
+  static_cast<void>(test::give(world, SetWind{wind, 0.0}));
   EXPECT_LT((world.air()->velocity_at(mast, world.time()) - wind.velocity).norm(), 1e-12);
 }
 
@@ -223,11 +225,17 @@ TEST(World, RefusesABodyWithoutAMesh) {
 TEST(World, AcceptsPosesOfItsBodiesOnly) {
   const CubeFile cube;
   World world(basin_with_cube(cube), {1, nullptr, {}});
-  EXPECT_TRUE(world.accept_pose(pose_at(0.0, 2.5, 0.0)));
+  const auto hash = [&world] { return hash_fields(world.state().bodies); };
+  const std::uint64_t still = hash();
+  test::give(world, pose_at(0.0, 2.5, 0.0));
+  const std::uint64_t led = hash();
+  EXPECT_NE(led, still);
   BodyPose stranger = pose_at(0.1, 2.5, 0.0);
   stranger.body = 9;
-  EXPECT_FALSE(world.accept_pose(stranger));
-  EXPECT_FALSE(world.accept_pose(pose_at(0.0, 2.5, 0.0))) << "not newer than the last one";
+  test::give(world, stranger);
+  EXPECT_EQ(hash(), led);
+  test::give(world, pose_at(0.0, 2.7, 0.0));
+  EXPECT_EQ(hash(), led) << "not newer than the last one";
 }
 
 }  // namespace

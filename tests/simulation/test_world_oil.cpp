@@ -26,7 +26,7 @@ TEST(WorldOil, StartsWithItsBlocksAndPropertiesAndPublishesThePhase) {
     ASSERT_EQ(step.report.not_finite, 0U);
     if (!step.frame_reached) continue;
     ++frame;
-    world.fill_snapshot(snapshot, step.report);
+    world.take_frame(snapshot, step.report);
     std::size_t oil = 0;
     for (const SurfaceParticle& particle : snapshot.particles) oil += particle.phase == kOilPhase ? 1 : 0;
     EXPECT_EQ(oil, 81U) << "all of the oil travels";

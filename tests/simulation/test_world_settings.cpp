@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "basin.hpp"
+#include "give.hpp"
 #include "simulation/world.hpp"
 
 namespace pelagos {
@@ -41,7 +42,7 @@ TEST(WorldEffort, IsTheScenesUntilItIsSet) {
   EXPECT_EQ(world.effort(), (Effort{0.004, 3e-4, 2e-4}));
   EXPECT_LE(world.advance().report.dt, 0.004);
   const Effort cheaper{0.008, 5e-3, 5e-3};
-  world.set_effort(cheaper);
+  static_cast<void>(test::give(world, SetEffort{cheaper, ""}));
   EXPECT_EQ(world.effort(), cheaper);
   EXPECT_GT(world.advance().report.dt, 0.004) << "still water: nothing else shortens the step";
 }
@@ -52,9 +53,11 @@ TEST(WorldEffort, SameBitsForOneTwoAndSevenThreadsAndOnReplay) {
   const Effort exact = one.effort();
   for (int step = 0; step < 40; ++step) {
     for (World* world : {&one, &two, &seven}) {
-      if (step == 10) world->set_effort({1.3 * exact.max_step, exact.density_tolerance, exact.divergence_tolerance});
-      if (step == 20) world->set_effort({1.3 * exact.max_step, 2e-3, 2e-3});
-      if (step == 30) world->set_effort(exact);
+      if (step == 10)
+        static_cast<void>(test::give(
+            *world, SetEffort{{1.3 * exact.max_step, exact.density_tolerance, exact.divergence_tolerance}, ""}));
+      if (step == 20) static_cast<void>(test::give(*world, SetEffort{{1.3 * exact.max_step, 2e-3, 2e-3}, ""}));
+      if (step == 30) static_cast<void>(test::give(*world, SetEffort{exact, ""}));
       world->advance();
     }
     ASSERT_EQ(state_hash(one.fluid().particles), state_hash(two.fluid().particles)) << step;

@@ -7,6 +7,7 @@
 
 #include "fields/field_hash.hpp"
 #include "floating.hpp"
+#include "give.hpp"
 #include "oily_basin.hpp"
 #include "same_run.hpp"
 #include "world_access.hpp"
@@ -78,8 +79,8 @@ TEST(WorldState, GoesOnWithARampingWind) {
   Scene scene = basin();
   scene.wind = breeze(3.0);
   expect_same_run(scene, 9, 25, [](World& world, std::uint64_t step) {
-    if (step == 4) world.set_wind(breeze(12.0), 0.8);
-    if (step == 18) world.clear_wind();
+    if (step == 4) static_cast<void>(test::give(world, SetWind{breeze(12.0), 0.8}));
+    if (step == 18) static_cast<void>(test::give(world, ClearWind{}));
   });
 }
 
@@ -91,24 +92,24 @@ TEST(WorldState, GoesOnWithAnOilRelease) {
     release.from = release.to = {2.5, 2.0, 0.8};
     release.rate = 600.0;
     if (step == 2) {
-      ASSERT_EQ(world.apply(OilCommand(release)), std::nullopt);
+      ASSERT_EQ(test::give(world, OilCommand(release)), std::nullopt);
     }
     SetBoom boom;
     boom.name = "z";
     boom.line = {{1.0, 1.0}, {1.0, 3.0}};
     if (step == 4) {
-      ASSERT_EQ(world.apply(OilCommand(boom)), std::nullopt);
+      ASSERT_EQ(test::give(world, OilCommand(boom)), std::nullopt);
     }
     boom.name = "a";
     boom.line = {{3.0, 1.0}, {3.5, 3.0}};
     if (step == 5) {
-      ASSERT_EQ(world.apply(OilCommand(boom)), std::nullopt);
+      ASSERT_EQ(test::give(world, OilCommand(boom)), std::nullopt);
     }
     if (step == 6) {
-      ASSERT_EQ(world.apply(OilCommand(SetSkimmer{"s", {2.5, 2.2}, 0.5, 20.0})), std::nullopt);
+      ASSERT_EQ(test::give(world, OilCommand(SetSkimmer{"s", {2.5, 2.2}, 0.5, 20.0})), std::nullopt);
     }
     if (step == 7) {
-      ASSERT_EQ(world.apply(OilCommand(SpillOil{{2.0, 2.0}, 0.01, 0.3})), std::nullopt);
+      ASSERT_EQ(test::give(world, OilCommand(SpillOil{{2.0, 2.0}, 0.01, 0.3})), std::nullopt);
     }
   });
 }
@@ -120,7 +121,7 @@ TEST(WorldState, GoesOnWithACurrentThatIsSlowedDown) {
   scene.current->velocity = {0.8, 0.3, 0.0};
   scene.current->relaxation = 0.5;
   expect_same_run(scene, 12, 30, [](World& world, std::uint64_t step) {
-    if (step == 8) world.clear_current();
+    if (step == 8) static_cast<void>(test::give(world, ClearCurrent{}));
   });
 }
 
@@ -134,16 +135,16 @@ TEST(WorldState, GoesOnWithPosesProbesAndEffort) {
     pose.time = 100.0 + world.time();
     pose.position = {1.6 + 0.2 * world.time(), 1.6, 1.15};
     pose.velocity = {0.2, 0.0, 0.0};
-    if (step % 5 == 1) world.accept_pose(pose);
+    if (step % 5 == 1) test::give(world, pose);
     ProbeSettings probe;
     probe.id = 7;
     probe.position = {1.0, 1.0, 1.2};
     if (step == 3) {
-      ASSERT_EQ(world.apply(SetProbe{probe}), std::nullopt);
+      ASSERT_EQ(test::give(world, SetProbe{probe}), std::nullopt);
     }
     Effort effort = world.effort();
     effort.density_tolerance *= 2.0;
-    if (step == 6) world.set_effort(effort);
+    if (step == 6) static_cast<void>(test::give(world, SetEffort{effort, ""}));
   });
 }
 
@@ -154,7 +155,7 @@ TEST(WorldState, IsWhatARestoredFaultGoesBackTo) {
   scene.wind = breeze(3.0);
   World world(scene, {1, nullptr, {}});
   for (int n = 0; n < 5; ++n) world.advance();
-  ASSERT_EQ(world.apply(SetWind{breeze(8.0), 2.0}), std::nullopt);
+  ASSERT_EQ(test::give(world, SetWind{breeze(8.0), 2.0}), std::nullopt);
   const WorldState good = world.state();
   WorldTestAccess::fluid(world).particles.velocity[200].x = std::numeric_limits<float>::quiet_NaN();
   ASSERT_EQ(world.advance().fault, StepFault::kRestored);
@@ -172,7 +173,7 @@ TEST(WorldState, DifferencesNameTheField) {
   World one(basin(), {1, nullptr, {}}), other(basin(), {1, nullptr, {}});
   EXPECT_EQ(test::first_difference(one, other), "");
   EXPECT_EQ(hash_fields(one.state()), hash_fields(other.state()));
-  other.set_wind(breeze(3.0), 0.0);
+  static_cast<void>(test::give(other, SetWind{breeze(3.0), 0.0}));
   EXPECT_EQ(test::first_difference(one, other), "wind.size: 0 and 1");
   EXPECT_NE(hash_fields(one.state()), hash_fields(other.state()));
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "basin.hpp"
+#include "give.hpp"
 #include "simulation/world.hpp"
 
 namespace pelagos {
@@ -54,7 +55,7 @@ TEST(WorldWind, TheAirIsACopyThatGoesOnByItself) {
   const Eigen::Vector3d expected = before.velocity_at(mast, 0.3);
   while (world.time() < 0.3) world.advance();
   EXPECT_LT((world.air()->velocity_at(mast, 0.3) - expected).norm(), 1e-12) << "the same wind, asked ahead";
-  world.clear_wind();
+  static_cast<void>(test::give(world, ClearWind{}));
   EXPECT_FALSE(world.air());
   EXPECT_EQ(before.velocity_at(mast, 0.3), expected);
 }
@@ -65,7 +66,7 @@ TEST(WorldWind, ChangesItsLawWhileItBlows) {
     WindSettings wind = *world.scene().wind;
     wind.law = law;
     wind.roughness = default_roughness(law);
-    world.set_wind(wind, 0.0);
+    static_cast<void>(test::give(world, SetWind{wind, 0.0}));
     for (int step = 0; step < 5; ++step) {
       const WorldStep made = world.advance();
       ASSERT_EQ(made.report.not_finite, 0u);

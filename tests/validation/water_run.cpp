@@ -42,7 +42,7 @@ WaterRun::WaterRun(int threads, FluidParameters parameters, const SolverChoice& 
       layers_(layers_of(parameters, start)),
       state_(make_fluid(*pool_, with_solver(std::move(parameters), solver, layers_), start.positions, start.phase)) {
   std::copy(start.velocities.begin(), start.velocities.end(), state_.particles.velocity.begin());
-  sums_.particles = start.positions.size();
+  particles_ = start.positions.size();
   limit_steps(0.07, 0.4);
 }
 
@@ -56,8 +56,7 @@ void WaterRun::limit_steps(double factor, double cfl) {
 
 void WaterRun::advance_to(double time, const std::function<void()>& each) {
   while (time_ < time - 1e-12) {
-    const double admissible =
-        std::max(admissible_time_step(state_.parameters, cfl_, max_step_, speed_), 0.02 * max_step_);
+    const double admissible = choose_time_step(state_.parameters, cfl_, max_step_, speed_);
     const double left = time - time_;
     step(left / std::max(1.0, std::ceil(left / admissible - 1e-9)));
     if (each) each();
@@ -66,30 +65,28 @@ void WaterRun::advance_to(double time, const std::function<void()>& each) {
 
 void WaterRun::step(double dt) {
   const std::int64_t begin = monotonic_ns();
-  last_ = {};
-  advance_fluid(*pool_, state_, dt, monotonic_ns, last_);
-  start_acceleration(*pool_, state_, last_);
-  measure_fluid(*pool_, state_, dt, last_);
-  sums_.wall_s += 1e-9 * static_cast<double>(monotonic_ns() - begin);
+  last_ = step_water(*pool_, state_, dt, monotonic_ns);
+  wall_s_ += 1e-9 * static_cast<double>(monotonic_ns() - begin);
   time_ += dt;
   speed_ = last_.largest_speed;
   if (last_.not_finite > 0) throw std::runtime_error("values are not finite at t = " + std::to_string(time_) + " s");
-  ++sums_.steps;
-  sums_.simulated_s += dt;
-  sums_.density_iterations += last_.density.iterations;
-  sums_.velocity_iterations += last_.divergence.iterations;
-  sums_.density_error += last_.density_error;
-  sums_.density_error_peak = std::max(sums_.density_error_peak, last_.density_error);
-  sums_.largest_density = std::max(sums_.largest_density, last_.largest_density);
-  sums_.unconverged_steps += last_.density.converged && last_.divergence.converged ? 0 : 1;
+  sums_.add(last_);
 }
 
-RunCost WaterRun::cost() const {
-  RunCost cost = sums_;
-  const auto steps = static_cast<double>(std::max<std::int64_t>(cost.steps, 1));
-  cost.density_iterations /= steps;
-  cost.velocity_iterations /= steps;
-  cost.density_error /= steps;
+RunCost WaterRun::cost() const { return run_cost(sums_, particles_, wall_s_); }
+
+RunCost run_cost(const StepSums& sums, std::size_t particles, double wall_s) {
+  RunCost cost;
+  cost.particles = particles;
+  cost.steps = static_cast<std::int64_t>(sums.steps);
+  cost.simulated_s = sums.simulated_s;
+  cost.wall_s = wall_s;
+  cost.density_iterations = sums.mean(sums.density_iterations);
+  cost.velocity_iterations = sums.mean(sums.divergence_iterations);
+  cost.density_error = sums.mean(sums.density_error);
+  cost.density_error_peak = sums.density_error_peak;
+  cost.largest_density = sums.largest_density_peak;
+  cost.unconverged_steps = static_cast<std::int64_t>(sums.unconverged_steps);
   return cost;
 }
 

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "physics/fluid.hpp"
+#include "physics/step_sums.hpp"
+#include "physics/water_step.hpp"
 
 namespace pelagos::validation {
 
@@ -34,6 +35,9 @@ struct RunCost {
   std::int64_t unconverged_steps = 0;
   [[nodiscard]] double wall_per_simulated() const { return wall_s / simulated_s; }
 };
+
+/// @param wall_s  s, spent on the steps
+[[nodiscard]] RunCost run_cost(const StepSums& sums, std::size_t particles, double wall_s);
 
 /// Water advanced as the server does it: adaptive steps, landing on the times that are asked for.
 class WaterRun {
@@ -64,7 +68,9 @@ class WaterRun {
   double layers_;  ///< depth at the start, in spacings
   FluidState state_;
   StepReport last_;
-  RunCost sums_;
+  StepSums sums_;
+  std::size_t particles_ = 0;
+  double wall_s_ = 0;
   double time_ = 0, max_step_ = 0, cfl_ = 0.4, speed_ = 0;
 };
 

@@ -1,6 +1,5 @@
 #include "world_run.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -13,18 +12,11 @@ WorldRun::WorldRun(int threads, const Scene& scene) : world_(scene, {threads, nu
 StepReport WorldRun::step() {
   const std::int64_t begin = monotonic_ns();
   const WorldStep step = world_.advance();
-  sums_.wall_s += 1e-9 * static_cast<double>(monotonic_ns() - begin);
+  wall_s_ += 1e-9 * static_cast<double>(monotonic_ns() - begin);
   if (step.fault != StepFault::kNone)
     throw std::runtime_error("values are not finite at " + std::to_string(world_.time()) + " s");
-  const StepReport& report = step.report;
-  ++sums_.steps;
-  sums_.density_iterations += report.density.iterations;
-  sums_.velocity_iterations += report.divergence.iterations;
-  sums_.density_error += report.density_error;
-  sums_.density_error_peak = std::max(sums_.density_error_peak, report.density_error);
-  sums_.largest_density = std::max(sums_.largest_density, report.largest_density);
-  sums_.unconverged_steps += report.density.converged && report.divergence.converged ? 0 : 1;
-  return report;
+  sums_.add(step.report);
+  return step.report;
 }
 
 void WorldRun::advance_to(double time, const std::function<void(const StepReport&)>& each) {
@@ -35,13 +27,6 @@ void WorldRun::advance_steps(std::int64_t steps, const std::function<void(const 
   for (std::int64_t k = 0; k < steps; ++k) each(step());
 }
 
-RunCost WorldRun::cost() const {
-  RunCost cost = sums_;
-  cost.particles = world_.fluid().particles.count;
-  cost.simulated_s = world_.time();
-  for (double* sum : {&cost.density_iterations, &cost.velocity_iterations, &cost.density_error})
-    *sum /= static_cast<double>(std::max<std::int64_t>(cost.steps, 1));
-  return cost;
-}
+RunCost WorldRun::cost() const { return run_cost(sums_, world_.fluid().particles.count, wall_s_); }
 
 }  // namespace pelagos::validation

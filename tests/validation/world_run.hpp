@@ -24,7 +24,8 @@ class WorldRun {
   StepReport step();
 
   World world_;
-  RunCost sums_;
+  StepSums sums_;
+  double wall_s_ = 0;
 };
 
 }  // namespace pelagos::validation

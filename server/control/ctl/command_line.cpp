@@ -108,21 +108,6 @@ std::string read_command_text(const std::string& text, TimedCommand& command) {
   return "command:" + place + " " + (fault.field.empty() ? "" : fault.field + ": ") + fault.what;
 }
 
-/// A command without a time goes in its own field where it has one: servers before `command` know it there.
-void put(TimedCommand&& command, Request& request) {
-  if (command.has_at()) {
-    *request.mutable_command() = std::move(command);
-  } else if (command.has_set_wind()) {
-    *request.mutable_set_wind() = std::move(*command.mutable_set_wind());
-  } else if (command.has_clear_wind()) {
-    request.mutable_clear_wind();
-  } else if (command.has_pause()) {
-    request.mutable_pause();
-  } else {
-    *request.mutable_command() = std::move(command);
-  }
-}
-
 /// --off or a time stands alone; everything else says what to change.
 std::string fault_of_change(const CLI::App& command, bool off, const char* example) {
   std::size_t options = 0;
@@ -251,13 +236,13 @@ RequestResult to_request(const CommandLine& line) {
   Request& request = result.request;
   if (line.status->parsed()) request.mutable_get_status();
   if (line.wind_at->parsed()) fill_places(options.places, *request.mutable_query_wind());
-  if (line.resume->parsed()) request.mutable_resume();
-  if (line.step->parsed()) request.mutable_step()->set_steps(options.steps);
   if (line.schedule->parsed()) request.mutable_get_schedule();
   if (line.cancel->parsed()) request.mutable_cancel_scheduled()->set_id(options.cancelled);
 
   TimedCommand command;
   if (line.pause->parsed()) command.mutable_pause();
+  if (line.resume->parsed()) command.mutable_resume();
+  if (line.step->parsed()) command.mutable_step()->set_steps(options.steps);
   if (line.wind->parsed() && options.wind.off) command.mutable_clear_wind();
   if (line.wind->parsed() && !options.wind.off) fill_wind(line, *command.mutable_set_wind());
   if (line.current->parsed() && options.current.off) command.mutable_clear_current();
@@ -267,7 +252,7 @@ RequestResult to_request(const CommandLine& line) {
   for (const CLI::App* timed : line.timed())
     if (timed->parsed() && given(*timed, "--at")) command.set_at(options.at);
   if (command.command_case() != TimedCommand::COMMAND_NOT_SET || line.command->parsed())
-    put(std::move(command), request);
+    *request.mutable_command() = std::move(command);
   return result;
 }
 

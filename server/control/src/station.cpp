@@ -251,14 +251,8 @@ void Station::dispatch(const Request& request) {
     case Request::kUnsubscribeEvents:
       subscribed_ = request.body_case() == Request::kSubscribeEvents;
       return accept(request.id());
-    case Request::kSetWind:
-    case Request::kClearWind:
-    case Request::kPause:
-    case Request::kResume:
-    case Request::kStep:
-      return answer_command(request);
     case Request::kCommand:
-      return answer_timed_command(request);
+      return answer_command(request);
     case Request::kGetSchedule:
       return answer_schedule(request);
     case Request::kCancelScheduled:
@@ -309,14 +303,32 @@ void Station::answer_wind_query(const Request& request) {
 
 // ---- bytes out
 
-void Station::send(const ServerMessage& message) { push(std::make_shared<const std::string>(frame_message(message))); }
+void Station::send(const ServerMessage& message) {
+  if (replies_.empty()) return push(std::make_shared<const std::string>(frame_message(message)));
+  replies_.push_back(std::make_shared<std::optional<ServerMessage>>(message));
+}
+
+Station::Reply Station::expect_reply() {
+  return replies_.emplace_back(std::make_shared<std::optional<ServerMessage>>());
+}
+
+void Station::settle(const Reply& reply, ServerMessage message) {
+  *reply = std::move(message);
+  flush_replies();
+}
+
+void Station::flush_replies() {
+  for (; !replies_.empty() && replies_.front()->has_value(); replies_.pop_front())
+    push(std::make_shared<const std::string>(frame_message(**replies_.front())));
+  if (closing_) shut_when_sent();
+}
 
 void Station::send_event(const std::shared_ptr<const std::string>& framed) {
   if (subscribed_ && !closing_) push(framed);
 }
 
 void Station::push(std::shared_ptr<const std::string> framed) {
-  if (!socket_.is_open() || closing_) return;
+  if (!socket_.is_open()) return;
   unsent_ += framed->size();
   if (unsent_ > context_.options.max_unsent) {
     ++context_.counters.slow_stations;
@@ -351,7 +363,7 @@ void Station::finish() {
 }
 
 void Station::shut_when_sent() {
-  if (!socket_.is_open() || !output_.empty()) return;
+  if (!socket_.is_open() || !output_.empty() || !replies_.empty()) return;
   if (peer_ended_) return close();
   if (shut_) return;
   shut_ = true;

@@ -78,18 +78,22 @@ class Station : public std::enable_shared_from_this<Station> {
   void dispatch(const proto::v1::Request& request);
   void rise(proto::v1::Request::BodyCase what);
   void answer_hello(const proto::v1::Request& request);
-  /// A command in one of the request's own fields, or in `command`.
   void answer_command(const proto::v1::Request& request);
-  void answer_timed_command(const proto::v1::Request& request);
   void answer_schedule(const proto::v1::Request& request);
   void answer_cancel(const proto::v1::Request& request);
   void answer_wind_query(const proto::v1::Request& request);
-  void submit(std::uint64_t id, const Command& command);
+  /// @param path  of the command in the request, for what is refused later
+  void submit(std::uint64_t id, const std::string& path, const Command& command);
   void schedule(std::uint64_t id, const Command& command, double at);
   void refuse_values(std::uint64_t id, const FieldFaults& faults);
   /// @param scheduled_id  0: the command was not scheduled
   void accept(std::uint64_t id, std::uint64_t scheduled_id = 0);
 
+  /// Answers go out in the order of the requests: one that is still to come holds back those behind it.
+  using Reply = std::shared_ptr<std::optional<proto::v1::ServerMessage>>;
+  Reply expect_reply();
+  void settle(const Reply& reply, proto::v1::ServerMessage message);
+  void flush_replies();
   void send(const proto::v1::ServerMessage& message);
   void push(std::shared_ptr<const std::string> framed);
   void write_next();
@@ -104,6 +108,7 @@ class Station : public std::enable_shared_from_this<Station> {
   std::array<char, 8192> chunk_{};
   std::string input_;  ///< bytes of the message under way
   std::deque<std::shared_ptr<const std::string>> output_;
+  std::deque<Reply> replies_;  ///< to requests that wait for an answer, and to those behind them
   std::size_t unsent_ = 0;
   TokenBucket bucket_;
   int excess_ = 0;

@@ -1,5 +1,7 @@
 // What a station does with commands: at once, with a time, and taken back.
 
+#include <boost/asio/post.hpp>
+
 #include "messages/commands.hpp"
 #include "messages_out.hpp"
 #include "station.hpp"
@@ -12,32 +14,21 @@ using proto::v1::ServerMessage;
 
 void Station::answer_command(const Request& request) {
   FieldFaults faults;
-  const FieldReader reader(request, faults);
-  const CommandBasis basis{context_.hooks.wind_before(std::nullopt)};
-  const std::optional<Command> command = read_command(reader, "body", CommandPlace::kNow, basis);
-  if (!faults.empty() || !command) return refuse_values(request.id(), faults);
-  submit(request.id(), *command);
-}
-
-void Station::answer_timed_command(const Request& request) {
-  FieldFaults faults;
   const FieldReader entry = FieldReader(request, faults).child("command");
   for (const char* field : {"before_step", "source"})
     if (entry.has(field)) entry.fault(field, "is the server's to tell; allowed in command logs only");
   double time = 0.0;
   const bool timed = entry.has("at");
   entry.read("at", kCommandTimes, time);
-  const auto at = timed ? std::optional<double>(time) : std::nullopt;
-  const CommandBasis basis{context_.hooks.wind_before(at)};
   const auto place = timed ? CommandPlace::kTimed : CommandPlace::kNow;
-  const std::optional<Command> command = read_command(entry, "command", place, basis);
+  const std::optional<Command> command = read_command(entry, "command", place);
   if (!command && faults.empty()) entry.fault("", "holds no command that this server knows");
-  if (command && faults.empty())
-    if (const auto misfit = context_.hooks.find_misfit(*command, at))
-      entry.child(entry.which("command").c_str()).fault(misfit->field.c_str(), misfit->what);
+  if (command && timed && faults.empty())
+    if (const auto misfit = context_.hooks.find_misfit(*command))
+      entry.child(entry.which("command").c_str()).fault(*misfit);
   if (!faults.empty()) return refuse_values(request.id(), faults);
   if (timed) return schedule(request.id(), *command, time);
-  submit(request.id(), *command);
+  submit(request.id(), "command." + entry.which("command"), *command);
 }
 
 void Station::answer_schedule(const Request& request) {
@@ -59,10 +50,41 @@ void Station::answer_cancel(const Request& request) {
   accept(request.id());
 }
 
-void Station::submit(std::uint64_t id, const Command& command) {
-  if (const auto refusal = context_.hooks.submit(command, name_))
-    return send(error_message(id, Error::REFUSED, *refusal));
-  accept(id);
+namespace {
+
+ServerMessage reply_to(std::uint64_t id, const std::string& path, const CommandAnswer& answer) {
+  ServerMessage reply;
+  if (!answer.refusal) {
+    reply.mutable_response()->set_id(id);
+    reply.mutable_response()->mutable_accepted()->set_step(answer.step);
+    return reply;
+  }
+  if (answer.refusal->field.empty()) return error_message(id, Error::REFUSED, answer.refusal->what);
+  const std::string field = path + "." + answer.refusal->field;
+  return error_message(id, Error::INVALID_VALUE, field + ": " + answer.refusal->what, field);
+}
+
+}  // namespace
+
+void Station::submit(std::uint64_t id, const std::string& path, const Command& command) {
+  const Reply reply = expect_reply();
+  const auto answer = [weak = weak_from_this(), executor = socket_.get_executor(), reply, id,
+                       path](const CommandAnswer& news) {
+    boost::asio::post(executor, [weak, reply, id, path, news] {
+      const auto self = weak.lock();
+      if (!self) return;
+      if (news.refusal) ++self->context_.counters.invalid;
+      self->settle(reply, reply_to(id, path, news));
+    });
+  };
+  std::optional<std::string> refusal;
+  try {
+    refusal = context_.hooks.submit(command, name_, answer);
+  } catch (...) {
+    replies_.pop_back();
+    throw;
+  }
+  if (refusal) settle(reply, error_message(id, Error::REFUSED, *refusal));
 }
 
 void Station::schedule(std::uint64_t id, const Command& command, double at) {

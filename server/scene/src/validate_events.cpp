@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "messages/commands.hpp"
-#include "messages/given_names.hpp"
 #include "validate_scene.hpp"
+#include "values/given_names.hpp"
 
 namespace pelagos {
 namespace {
@@ -28,32 +28,46 @@ void read_time(const FieldReader& entry, SceneEvent& event) {
     if (entry.has(field)) entry.fault(field, "is for command logs; allowed in a scene: at and a command");
 }
 
-/// Whether the command fits what the scene has, and what the events before it have set.
+/// What the scene and its events alone will have set.
+struct Foreseen {
+  std::optional<WindSettings> wind;
+  GivenNames names;
+};
+
+std::optional<Misfit> follow_wind(const Command& command, std::optional<WindSettings>& wind) {
+  if (std::holds_alternative<ClearWind>(command)) wind.reset();
+  const auto* set = std::get_if<SetWind>(&command);
+  if (set == nullptr) return {};
+  WindSettings merged;
+  auto misfit = merge_wind(set->wind, wind, merged);
+  if (misfit) misfit->field = misfit->field.empty() ? "wind" : "wind." + misfit->field;
+  if (!misfit) wind = merged;
+  return misfit;
+}
+
+/// Whether the command fits what the scene has, and what the events before it have set. Stations may change that while
+/// the scene runs; this finds the mistakes of the scene's author.
 void check_fit(const FieldReader& entry, const std::optional<CommandSite>& site, const Command& command,
-               GivenNames& given) {
-  std::optional<Misfit> misfit;
-  if (site) misfit = find_misfit(command, *site);
+               Foreseen& foreseen) {
+  GivenNames& given = foreseen.names;
+  std::optional<Misfit> misfit = follow_wind(command, foreseen.wind);
+  if (!misfit && site) misfit = find_misfit(command, *site);
   if (!misfit) misfit = find_unknown_name(command, given);
   if (!misfit) misfit = find_no_room(command, given);
-  if (misfit) entry.child(entry.which("command").c_str()).fault(misfit->field.c_str(), misfit->what);
+  if (misfit) entry.child(entry.which("command").c_str()).fault(*misfit);
   given.follow(command);
 }
 
-void read_event(const FieldReader& entry, const EventSurroundings& around, CommandBasis& last, GivenNames& given,
-                SceneEvent& event) {
+void read_event(const FieldReader& entry, const EventSurroundings& around, Foreseen& foreseen, SceneEvent& event) {
   if (entry.which("command").empty())
     return entry.fault("", "says when but not what; allowed: one command beside `at`, e.g. set_wind { ... }");
   const std::size_t faults = entry.fault_count();
-  const std::optional<Command> command = read_command(entry, "command", CommandPlace::kTimed, last);
+  const std::optional<Command> command = read_command(entry, "command", CommandPlace::kTimed);
   if (!command) return;
   event.command = *command;
-  if (entry.fault_count() == faults) check_fit(entry, around.site, *command, given);
-  if (const auto* set = std::get_if<SetWind>(&event.command)) {
-    last.wind = set->wind;
-    if (around.weightless)
-      entry.fault("set_wind", "blows without gravity; allowed: gravity above 0 (the push scales with sqrt(d/g))");
-  }
-  if (std::holds_alternative<ClearWind>(event.command)) last.wind.reset();
+  if (entry.fault_count() == faults) check_fit(entry, around.site, *command, foreseen);
+  if (std::holds_alternative<SetWind>(event.command) && around.weightless)
+    entry.fault("set_wind", "blows without gravity; allowed: gravity above 0 (the push scales with sqrt(d/g))");
 }
 
 }  // namespace
@@ -67,10 +81,9 @@ std::vector<SceneEvent> validate_events(const FieldReader& scene_reader, const E
   }
   std::vector<SceneEvent> events(entries.size());
   for (std::size_t i = 0; i < entries.size(); ++i) read_time(entries[i], events[i]);
-  CommandBasis last{around.wind};
-  GivenNames given;
-  for (const std::uint32_t id : around.probes) given.probes.insert(id);
-  for (const std::size_t i : order_by_time(events)) read_event(entries[i], around, last, given, events[i]);
+  Foreseen foreseen{around.wind, {}};
+  for (const std::uint32_t id : around.probes) foreseen.names.probes.insert(id);
+  for (const std::size_t i : order_by_time(events)) read_event(entries[i], around, foreseen, events[i]);
   return events;
 }
 

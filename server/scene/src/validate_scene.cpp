@@ -134,7 +134,7 @@ FluidSettings read_water(const FieldReader& reader, const Basis& basis, const Sc
 
 void read_wind_of_scene(const FieldReader& reader, const Basis& basis, Scene& scene) {
   if (!reader.has("wind")) return;
-  scene.wind = read_wind(reader.child("wind"), std::nullopt);
+  scene.wind = read_wind(reader.child("wind"));
   if (basis.gravity && *basis.gravity == 0.0) {
     reader.fault("wind",
                  "blows without gravity; allowed: gravity above 0 (the push scales with sqrt(d/g)), or no wind");

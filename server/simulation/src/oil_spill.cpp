@@ -13,6 +13,11 @@ namespace pelagos {
 
 namespace {
 
+/// The layer names the field in its text.
+std::optional<Misfit> misfit_of(const std::optional<std::string>& fault) {
+  return fault ? std::optional(Misfit{"", *fault}) : std::nullopt;
+}
+
 /// The film's oil: the table's weathering of that name, or of the oil nearest in density, with the scene's own density
 /// and viscosity.
 SlickOil film_oil(const OilProperties& oil) {
@@ -79,21 +84,23 @@ bool OilSpill::in_patch(const Eigen::Vector2d& place) const {
   return (place.array() >= patch_.min.head<2>().array()).all() && (place.array() <= patch_.max.head<2>().array()).all();
 }
 
-std::optional<std::string> OilSpill::apply(const ReleaseOil& c, const Bodies& hulls) {
+std::optional<Misfit> OilSpill::apply(const ReleaseOil& c, const Bodies& hulls) {
   for (const auto& [field, place] : {std::pair{"from", c.from}, {"to", c.to}})
     if (c.body == 0 && !hulls.empty() && hulls.covers(place, 0.0))
-      return fmt::format("{}: ({:g}, {:g}, {:g}) m is inside a hull; allowed: in the water, or fixed to the body",
-                         field, place.x(), place.y(), place.z());
+      return Misfit{field,
+                    fmt::format("({:g}, {:g}, {:g}) m is inside a hull; allowed: in the water, or fixed to the body",
+                                place.x(), place.y(), place.z())};
   const double volume = c.rate / 3600.0 * c.duration,
                room = (most_particles_ - std::min(most_particles_, particles_)) * spacing_ * spacing_ * spacing_;
   if (model_ == OilModel::kParticles && std::isfinite(volume) && volume > room)
-    return fmt::format(
-        "rate: {:g} m^3/h for {:g} s are {:g} m^3, but there is room for {:g} m^3 in particles "
-        "(oil.most_particles {}); allowed: less, a higher bound, or oil.model SLICK or BOTH",
-        c.rate, c.duration, volume, room, most_particles_);
+    return Misfit{"rate",
+                  fmt::format("{:g} m^3/h for {:g} s are {:g} m^3, but there is room for {:g} m^3 in particles "
+                              "(oil.most_particles {}); allowed: less, a higher bound, or oil.model SLICK or BOTH",
+                              c.rate, c.duration, volume, room, most_particles_)};
   if (!sources_.contains(c.name) && sources_.size() >= kMostReleases)
-    return fmt::format("{} sources are running; allowed: at most {}; stop one, or wait until one has run out",
-                       sources_.size(), kMostReleases);
+    return Misfit{"",
+                  fmt::format("{} sources are running; allowed: at most {}; stop one, or wait until one has run out",
+                              sources_.size(), kMostReleases)};
   Source& source = sources_[c.name];
   source.settings = c;
   source.left = c.duration;
@@ -102,33 +109,33 @@ std::optional<std::string> OilSpill::apply(const ReleaseOil& c, const Bodies& hu
 }
 
 /// It ends in the next step, which brings out what has flowed so far.
-std::optional<std::string> OilSpill::apply(const StopRelease& c) {
+std::optional<Misfit> OilSpill::apply(const StopRelease& c) {
   const auto source = sources_.find(c.name);
   if (source == sources_.end() || source->second.left <= 0.0)
-    return "name: no source \"" + c.name + "\" is running; it may have run out";
+    return Misfit{"name", "no source \"" + c.name + "\" is running; it may have run out"};
   source->second.left = 0.0;
   return std::nullopt;
 }
 
-std::optional<std::string> OilSpill::apply(const SpillOil& c) {
-  return layer_.release(c.volume * oil_density_, c.position, c.radius);
+std::optional<Misfit> OilSpill::apply(const SpillOil& c) {
+  return misfit_of(layer_.release(c.volume * oil_density_, c.position, c.radius));
 }
 
-std::optional<std::string> OilSpill::apply(const SetBoom& c) {
+std::optional<Misfit> OilSpill::apply(const SetBoom& c) {
   Boom boom;
   boom.line = c.line;
   boom.draft = c.draft;
   boom.critical_speed = c.critical_speed;
-  return layer_.set_boom(c.name, boom);
+  return misfit_of(layer_.set_boom(c.name, boom));
 }
 
-std::optional<std::string> OilSpill::apply(const RemoveBoom& c) { return layer_.remove_boom(c.name); }
+std::optional<Misfit> OilSpill::apply(const RemoveBoom& c) { return misfit_of(layer_.remove_boom(c.name)); }
 
-std::optional<std::string> OilSpill::apply(const SetSkimmer& c) {
-  return layer_.set_skimmer(c.name, Skimmer{c.position, c.radius, c.rate});
+std::optional<Misfit> OilSpill::apply(const SetSkimmer& c) {
+  return misfit_of(layer_.set_skimmer(c.name, Skimmer{c.position, c.radius, c.rate}));
 }
 
-std::optional<std::string> OilSpill::apply(const RemoveSkimmer& c) { return layer_.remove_skimmer(c.name); }
+std::optional<Misfit> OilSpill::apply(const RemoveSkimmer& c) { return misfit_of(layer_.remove_skimmer(c.name)); }
 
 OilBudget OilSpill::budget() const {
   OilBudget budget;

@@ -1,26 +1,6 @@
 #include "simulation/probes.hpp"
 
-#include <fmt/format.h>
-
 namespace pelagos {
-
-std::optional<std::string> Probes::set(const ProbeSettings& probe) {
-  if (!probes_.contains(probe.id) && probes_.size() >= kMostProbes)
-    return fmt::format("there are {} probes already; allowed: at most so many", kMostProbes);
-  probes_[probe.id] = probe;
-  return std::nullopt;
-}
-
-std::optional<std::string> Probes::remove(std::uint32_t id) {
-  if (probes_.erase(id) == 0) return fmt::format("there is no probe {}", id);
-  return std::nullopt;
-}
-
-std::vector<std::uint32_t> Probes::ids() const {
-  std::vector<std::uint32_t> ids;
-  for (const auto& [id, probe] : probes_) ids.push_back(id);
-  return ids;
-}
 
 std::vector<ProbeReading> Probes::read(const FluidState& fluid, WaterSurface& surface, const WaveField& sea,
                                        const Bodies& bodies, const Eigen::Vector3d& origin,

@@ -8,6 +8,7 @@
 
 #include "fields/field_hash.hpp"
 #include "mirrored_faces.hpp"
+#include "physics/water_step.hpp"
 #include "simulation/basins.hpp"
 #include "simulation/fluid_setup.hpp"
 #include "version/version.hpp"
@@ -19,9 +20,6 @@ namespace pelagos {
 namespace {
 
 constexpr double kStandardGravity = 9.81;  ///< m/s^2, for what needs a scale where the scene has no gravity
-
-/// Part of the largest time step below which speeds no longer shorten it: one runaway particle must not stop the clock.
-constexpr double kSmallestStep = 0.02;
 
 /// After a numerical fault steps are shorter for so long, s of simulated time; so many faults before that end the run.
 constexpr double kCarefulTime = 1.0;
@@ -58,6 +56,10 @@ WaveField make_sea(const Scene& scene, double water_level) {
           water_level};
 }
 
+SurfaceInput surface_input(const FluidState& fluid, double time) {
+  return {fluid.particles, fluid.walls, fluid.fluid_list, fluid.wall_list, Eigen::Vector3d::Zero(), time};
+}
+
 SurfaceScales surface_scales(const FluidParameters& parameters) {
   return {parameters.spacing, parameters.support_radius, parameters.gravity};
 }
@@ -66,6 +68,7 @@ SurfaceScales surface_scales(const FluidParameters& parameters) {
 
 World::World(const Scene& scene, const WorldOptions& options)
     : scene_(scene),
+      site_(command_site(scene)),
       options_(options),
       pool_(std::make_unique<TaskPool>(std::max(1, options.threads))),
       origin_(choose_origin(scene)),
@@ -84,8 +87,8 @@ World::World(const Scene& scene, const WorldOptions& options)
     bodies_.place(origin_, fluid_);
   }
   for (const ProbeSettings& probe : scene_.probes)
-    if (const auto refusal = apply(SetProbe{probe}))
-      throw std::invalid_argument("probe " + std::to_string(probe.id) + ": " + *refusal);
+    if (const auto outcome = apply(SetProbe{probe}); outcome.refusal)
+      throw std::invalid_argument("probe " + std::to_string(probe.id) + ": " + to_string(*outcome.refusal));
   if (scene_.wind) wind_.emplace(wind_site(scene_, origin_, water_level_), *scene_.wind);
   note_start();
   settle();
@@ -138,44 +141,17 @@ void World::settle() {
   }
 }
 
-WorldStep World::advance() {
+WorldStep World::advance(const StepInputs& inputs) {
   WorldStep step;
-  StepReport& report = step.report;
-  const Clock clock = options_.clock;
-  const double now = clock_.time(), dt = choose_time_step();
-  if (!bodies_.empty()) {
-    const StageScope scope(report.times, clock, Stage::kBodies);
-    bodies_.advance(now, dt, origin_, fluid_);
-  }
-  advance_fluid(*pool_, fluid_, dt, clock, report);
-  water_surface_.forget();
-  if (!bodies_.empty()) {
-    const StageScope scope(report.times, clock, Stage::kBodies);
-    bodies_.drift(dt, body_sea(now + dt), fluid_);
-    bodies_.receive(dt, fluid_);
-  }
-  {
-    const StageScope scope(report.times, clock, Stage::kAcceleration);
-    start_acceleration(*pool_, fluid_, report);
-  }
-  if (wind_) {
-    const StageScope scope(report.times, clock, Stage::kWind);
-    FluidParticles& p = fluid_.particles;
-    const SurfaceGrid* surface = wind_->asks_surface(now + dt) ? &water_surface_.grid(fluid_) : nullptr;
-    wind_->act(*pool_, surface, p.position, p.count, now + dt, p.acceleration, p.velocity);
-  }
-  drive_current(now + dt, report);
-  advance_oil(dt, now + dt, report);
-  {
-    const StageScope scope(report.times, clock, Stage::kMeasure);
-    measure_fluid(*pool_, fluid_, dt, report);
-  }
+  step.outcomes = take(inputs);
+  const double dt = choose_step();
+  step.report = step_water(*pool_, fluid_, dt, options_.clock, step_parts(clock_.time(), dt));
   ++step_;
-  if (report.not_finite > 0 || !bodies_.finite()) {
+  if (step.report.not_finite > 0 || !bodies_.finite()) {
     step.fault = recover();
     if (step.fault == StepFault::kRestored) return step;
   }
-  largest_speed_ = report.largest_speed;
+  largest_speed_ = step.report.largest_speed;
   step.frame_reached = clock_.advance(dt);
   if (step.fault == StepFault::kFatal) return step;
   if (clock_.time() >= faults_.careful_until) faults_.in_row = 0;
@@ -183,34 +159,80 @@ WorldStep World::advance() {
   return step;
 }
 
+/// What acts on the water in the step from `now` on beside its own pressure; nothing for what the scene has not.
+WaterStepParts World::step_parts(double now, double dt) {
+  WaterStepParts parts;
+  if (!bodies_.empty()) {
+    parts.place_bodies = [this, now, dt](StepReport& report) {
+      const StageScope scope(report.times, options_.clock, Stage::kBodies);
+      bodies_.advance(now, dt, origin_, fluid_);
+    };
+  }
+  parts.receive_bodies = [this, now, dt](StepReport& report) {
+    water_surface_.forget();
+    if (bodies_.empty()) return;
+    const StageScope scope(report.times, options_.clock, Stage::kBodies);
+    bodies_.drift(dt, body_sea(now + dt), fluid_);
+    bodies_.receive(dt, fluid_);
+  };
+  parts.add_forces = [this, now, dt](StepReport& report) {
+    blow(now + dt, report);
+    drive_current(now + dt, report);
+    advance_oil(dt, now + dt, report);
+  };
+  return parts;
+}
+
+void World::blow(double time, StepReport& report) {
+  if (!wind_) return;
+  const StageScope scope(report.times, options_.clock, Stage::kWind);
+  FluidParticles& p = fluid_.particles;
+  const SurfaceGrid* surface = wind_->asks_surface(time) ? &water_surface_.grid(fluid_) : nullptr;
+  wind_->act(*pool_, surface, p.position, p.count, time, p.acceleration, p.velocity);
+}
+
 BodySea World::body_sea(double time) const {
   const bool drags = wind_ && wind_->air().settings_at(time).law == WindLaw::kStress;
   return {current_.running ? &*current_.running : nullptr, drags, time, water_level_, &water_surface_};
 }
 
-double World::choose_time_step() const {
+double World::choose_step() const {
   const double speed = std::max(largest_speed_, bodies_.largest_speed());
   const double longest = std::ldexp(max_step_, -faults_.in_row);  // half for each fault in a row
   const double cfl = std::ldexp(scene_.time_step.cfl, -faults_.in_row);
-  const double step = admissible_time_step(fluid_.parameters, cfl, longest, speed);
-  return clock_.choose_step(std::max(step, kSmallestStep * longest));
+  return clock_.choose_step(choose_time_step(fluid_.parameters, cfl, longest, speed));
 }
 
-void World::fill_snapshot(Snapshot& snapshot, StepReport& report) {
+void World::take_frame(Snapshot& snapshot, StepReport& report) {
   const StageScope scope(report.times, options_.clock, Stage::kSurface);
+  fill(snapshot);
+  snapshot.loads = bodies_.take_loads(origin_, fluid_, water_surface_, water_level_ - origin_.z());
+  const SurfaceInput input = surface_input(fluid_, clock_.time());
+  surface_.detect(input, *pool_);
+  surface_.shape(input, *pool_, snapshot.particles);
+}
+
+void World::look(Snapshot& snapshot) const {
+  fill(snapshot);
+  snapshot.loads.clear();
+  FluidState fluid = fluid_;
+  StepReport report;
+  refresh_neighbors(*pool_, fluid, report);
+  SurfaceExtractor surface = surface_;
+  const SurfaceInput input = surface_input(fluid, clock_.time());
+  surface.detect(input, *pool_);
+  surface.shape(input, *pool_, snapshot.particles);
+}
+
+void World::fill(Snapshot& snapshot) const {
   snapshot.frame = clock_.frame();
   snapshot.simulation_time = clock_.time();
   snapshot.origin = origin_;
   snapshot.total_particles = static_cast<std::uint32_t>(fluid_.particles.count);
   snapshot.bodies = bodies_.states();
-  snapshot.loads = bodies_.take_loads(origin_, fluid_, water_surface_, water_level_ - origin_.z());
   snapshot.probes = read_probes();
   snapshot.oil.reset();
   if (spill_) snapshot.oil.emplace(OilSnapshot{spill_->budget(), spill_->discs()});
-  const SurfaceInput input{fluid_.particles,        fluid_.walls, fluid_.fluid_list, fluid_.wall_list,
-                           Eigen::Vector3d::Zero(), clock_.time()};
-  surface_.detect(input, *pool_);
-  surface_.shape(input, *pool_, snapshot.particles);
 }
 
 std::vector<ProbeReading> World::read_probes() const {

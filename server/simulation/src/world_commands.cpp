@@ -14,49 +14,88 @@ namespace {
 /// Relaxation times for which water is slowed down after the current was cleared: e^-10 of its speed is left then.
 constexpr double kSlowingTimes = 10.0;
 
-template <class F>
-std::optional<std::string> done(F&& f) {
-  f();
-  return std::nullopt;
+/// Commands that speak of what bears a name, or make something that does.
+bool uses_names(const Command& command) {
+  return std::holds_alternative<OilCommand>(command) || std::holds_alternative<SetProbe>(command) ||
+         std::holds_alternative<RemoveProbe>(command);
 }
 
 }  // namespace
 
-std::optional<std::string> World::apply(const Command& command) {
-  using Refusal = std::optional<std::string>;
-  if (const auto misfit = find_misfit(command, command_site(scene_))) return to_string(*misfit);
-  struct Visitor {
-    World& world;
-    Refusal operator()(const SetWind& c) const {
-      return done([&] { world.set_wind(c.wind, c.ramp_seconds); });
-    }
-    Refusal operator()(const ClearWind&) const {
-      return done([&] { world.clear_wind(); });
-    }
-    Refusal operator()(const SetCurrent& c) const {
-      return done([&] { world.set_current(c.current, c.ramp_seconds); });
-    }
-    Refusal operator()(const ClearCurrent&) const {
-      return done([&] { world.clear_current(); });
-    }
-    Refusal operator()(const SetEffort& c) const {
-      return done([&] { world.set_effort(c.effort); });
-    }
-    Refusal operator()(const PauseSimulation&) const { return std::nullopt; }
-    Refusal operator()(const ResumeSimulation&) const { return std::nullopt; }
-    Refusal operator()(const StepSimulation&) const { return std::nullopt; }
-    Refusal operator()(const SetProbe& c) const { return world.probes_.set(c.probe); }
-    Refusal operator()(const RemoveProbe& c) const { return world.probes_.remove(c.id); }
-    Refusal operator()(const OilCommand& c) const { return world.apply_to_oil(c); }
-  };
-  auto refusal = std::visit(Visitor{*this}, command);
-  if (!refusal) keep_recovery_point();  // a state that comes back has what was done to it
-  return refusal;
+std::vector<CommandOutcome> World::take(const StepInputs& inputs) {
+  std::vector<CommandOutcome> outcomes;
+  for (const GivenPose& given : inputs.poses) bodies_.accept(given.pose, clock_.time());
+  for (const GivenCommand& given : inputs.commands) outcomes.push_back(apply(given.command));
+  if (!inputs.empty()) keep_recovery_point();  // a state that comes back has what was done to it
+  return outcomes;
 }
 
-std::optional<std::string> World::apply_to_oil(const OilCommand& command) {
+CommandOutcome World::apply(const Command& command) {
+  CommandOutcome outcome{command, find_misfit(command, site_)};
+  if (!outcome.refusal && uses_names(command)) {
+    const GivenNames given = names();
+    outcome.refusal = find_unknown_name(command, given);
+    if (!outcome.refusal) outcome.refusal = find_no_room(command, given);
+  }
+  if (!outcome.refusal) outcome.refusal = apply_valid(command);
+  if (!outcome.refusal && std::holds_alternative<SetWind>(command))
+    outcome.done = SetWind{wind_->air().target(), std::get<SetWind>(command).ramp_seconds};
+  return outcome;
+}
+
+std::optional<Misfit> World::apply_valid(const Command& command) {
+  using Refusal = std::optional<Misfit>;
+  struct Visitor {
+    World& world;
+    Refusal operator()(const SetWind& c) const { return world.set_wind(c); }
+    Refusal operator()(const ClearWind&) const {
+      world.wind_.reset();
+      return {};
+    }
+    Refusal operator()(const SetCurrent& c) const {
+      world.set_current(c.current, c.ramp_seconds);
+      return {};
+    }
+    Refusal operator()(const ClearCurrent&) const {
+      world.clear_current();
+      return {};
+    }
+    Refusal operator()(const SetEffort& c) const {
+      world.set_effort(c.effort);
+      return {};
+    }
+    Refusal operator()(const PauseSimulation&) const { return {}; }
+    Refusal operator()(const ResumeSimulation&) const { return {}; }
+    Refusal operator()(const StepSimulation&) const { return {}; }
+    Refusal operator()(const SetProbe& c) const {
+      world.probes_.set(c.probe);
+      return {};
+    }
+    Refusal operator()(const RemoveProbe& c) const {
+      world.probes_.remove(c.id);
+      return {};
+    }
+    Refusal operator()(const OilCommand& c) const { return world.apply_to_oil(c); }
+  };
+  return std::visit(Visitor{*this}, command);
+}
+
+GivenNames World::names() const {
+  GivenNames given;
+  for (const auto& [id, probe] : probes_.settings()) given.probes.insert(id);
+  if (!spill_) return given;
+  for (const std::string& name : spill_->sources()) given.sources.insert(name);
+  for (const auto& [name, skimmer] : spill_->film().skimmers) given.skimmers.insert(name);
+  for (const auto& [name, boom] : spill_->film().booms) {
+    given.booms.insert(name);
+    given.boom_points[name] = boom.boom.line.size();
+  }
+  return given;
+}
+
+std::optional<Misfit> World::apply_to_oil(const OilCommand& command) {
   return std::visit(
-      [&](const auto& c) -> std::optional<std::string> {
+      [&](const auto& c) -> std::optional<Misfit> {
         if constexpr (std::is_same_v<std::decay_t<decltype(c)>, ReleaseOil>)
           return spill_->apply(c, bodies_);
         else
@@ -74,14 +113,21 @@ void World::advance_oil(double dt, double time, StepReport& report) {
   spill_->advance(dt, sea, fluid_);
 }
 
-void World::set_wind(const WindSettings& wind, double ramp_seconds) {
+std::optional<Misfit> World::set_wind(const SetWind& command) {
+  WindSettings wind;
+  const auto present = wind_ ? std::optional(wind_->air().target()) : std::nullopt;
+  if (auto misfit = merge_wind(command.wind, present, wind)) {
+    misfit->field = misfit->field.empty() ? "wind" : "wind." + misfit->field;
+    return misfit;
+  }
   if (!wind_) {  // from calm: the same wind without speed, ramped up
     WindSettings calm = wind;
     calm.velocity.setZero();
     calm.amplitude = 0.0;
     wind_.emplace(wind_site(scene_, origin_, water_level_), calm, clock_.time());
   }
-  wind_->set(wind, clock_.time(), ramp_seconds);
+  wind_->set(wind, clock_.time(), command.ramp_seconds);
+  return {};
 }
 
 std::optional<WindSettings> World::wind() const {

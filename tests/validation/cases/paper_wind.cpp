@@ -158,16 +158,6 @@ void write(const Snapshot& snapshot, Series series) {
   for (const auto& [x, z, speed] : snapshot.points) series.add({x, z, speed, snapshot.time});
 }
 
-void note_step(const StepReport& report, RunCost& cost) {
-  ++cost.steps;
-  cost.density_iterations += report.density.iterations;
-  cost.velocity_iterations += report.divergence.iterations;
-  cost.density_error += report.density_error;
-  cost.density_error_peak = std::max(cost.density_error_peak, report.density_error);
-  cost.largest_density = std::max(cost.largest_density, report.largest_density);
-  cost.unconverged_steps += report.density.converged && report.divergence.converged ? 0 : 1;
-}
-
 void add_results(Session& session, const Subject& subject, const Setting& setting, const Watch& watch,
                  const RunCost& cost) {
   session.add(subject, {"crests that meet: deepest trough between them", watch.meeting, "m", "figure 9a shows two"});
@@ -182,21 +172,19 @@ void run_one(Session& session, const Setting& setting, int steps, const Subject&
   World world(make_scene(setting, subject, session.options().out), {session.options().threads, nullptr, {}});
   Watch watch(session, subject, setting, world);
   write(take_snapshot(world, 0.5 * setting.block.y()), session.series(subject, "start", "x,z,speed,t"));
-  RunCost cost;
-  cost.particles = world.fluid().particles.count;
-  while (cost.steps < steps) {
+  StepSums sums;
+  double wall_s = 0.0;
+  while (sums.steps < static_cast<std::uint64_t>(steps)) {
     const std::int64_t begin = monotonic_ns();
     const WorldStep step = world.advance();
-    cost.wall_s += 1e-9 * static_cast<double>(monotonic_ns() - begin);
+    wall_s += 1e-9 * static_cast<double>(monotonic_ns() - begin);
     if (step.report.not_finite > 0)
       throw std::runtime_error("values are not finite at " + std::to_string(world.time()));
-    note_step(step.report, cost);
+    sums.add(step.report);
     if (step.frame_reached) watch.look(world);
-    session.progress(subject, static_cast<double>(cost.steps) / steps);
+    session.progress(subject, static_cast<double>(sums.steps) / steps);
   }
-  cost.simulated_s = world.time();
-  for (double* sum : {&cost.density_iterations, &cost.velocity_iterations, &cost.density_error})
-    *sum /= static_cast<double>(cost.steps);
+  const RunCost cost = run_cost(sums, world.fluid().particles.count, wall_s);
   write(watch.at_meeting, session.series(subject, "meeting", "x,z,speed,t"));
   write(watch.at_overhang, session.series(subject, "overhang", "x,z,speed,t"));
   if (setting.tower) write(watch.at_tower, session.series(subject, "tower", "x,z,speed,t"));

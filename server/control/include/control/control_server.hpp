@@ -12,6 +12,7 @@
 
 #include "values/air_reading.hpp"
 #include "values/command.hpp"
+#include "values/command_answer.hpp"
 #include "values/command_site.hpp"
 #include "values/status.hpp"
 
@@ -51,20 +52,19 @@ struct ScheduleAnswer {
 /// must be callable until ControlServer's destructor returns. An exception out of one of them, `log` apart, is
 /// answered INTERNAL.
 struct ControlHooks {
-  /// Takes a validated command for the next step boundary. @return nothing, or why it cannot be done now
+  /// Takes a well-formed command for the next step boundary; `answer` is called from there, or when the server ends.
+  /// @return nothing, or why it cannot be taken now: then `answer` is not called
   /// @param source  e.g. "station 127.0.0.1:40112", for events and logs
-  std::function<std::optional<std::string>(const Command& command, const std::string& source)> submit;
-  /// Takes a validated command for the first step boundary at or after `at` (s, simulated).
+  std::function<std::optional<std::string>(const Command& command, const std::string& source, TakeAnswer answer)>
+      submit;
+  /// Takes a well-formed command for the first step boundary at or after `at` (s, simulated).
   std::function<ScheduleAnswer(const Command& command, double at, const std::string& source)> schedule;
   /// Takes a command out of the schedule; false if none waits under that id.
   std::function<bool(std::uint64_t id, const std::string& source)> cancel;
   /// All that wait, in the order in which they fall due.
   std::function<std::vector<ScheduledCommand>()> scheduled;
-  /// The wind that will have been set last when a command for `at` (nothing: the next boundary) is applied: what fields
-  /// that a station leaves out keep.
-  std::function<std::optional<WindSettings>(std::optional<double> at)> wind_before;
-  /// What the scene, and what will have been set when a command for `at` is applied, tell against it.
-  std::function<std::optional<Misfit>(const Command& command, std::optional<double> at)> find_misfit;
+  /// What the scene alone tells against a command that is to wait for its time.
+  std::function<std::optional<Misfit>(const Command& command)> find_misfit;
   std::function<ServerStatus()> status;
   /// The air as it moves now at each of the places (m, world).
   std::function<AirReading(const std::vector<Eigen::Vector3d>& position)> read_air;

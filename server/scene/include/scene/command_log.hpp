@@ -10,6 +10,7 @@
 #include "files/append_file.hpp"
 #include "values/command.hpp"
 #include "values/status.hpp"
+#include "values/step_inputs.hpp"
 
 namespace pelagos {
 
@@ -30,6 +31,19 @@ struct LoggedCommand {
   Command command;
 };
 
+/// A pose as it was taken.
+struct LoggedPose {
+  std::uint64_t before_step = 0;  ///< steps made before it
+  GivenPose given;
+};
+
+/// What the whole state was at some time of the logged run.
+struct CommandLogCheck {
+  std::uint64_t step = 0;  ///< steps made
+  double time = 0.0;       ///< s, simulated, for people
+  std::uint64_t world_hash = 0;
+};
+
 /// How a logged run ended.
 struct CommandLogEnd {
   std::uint64_t step = 0;        ///< steps made in all
@@ -39,7 +53,10 @@ struct CommandLogEnd {
 struct CommandLog {
   CommandLogHeader header;
   std::vector<LoggedCommand> commands;  ///< as applied: steps never decrease
+  std::vector<LoggedPose> poses;        ///< as taken: likewise
+  std::vector<CommandLogCheck> checks;  ///< likewise
   std::optional<CommandLogEnd> end;     ///< nothing: the run was cut off
+  std::string cut_off;                  ///< what was left out because the last line ends in its middle; else empty
 };
 
 struct CommandLogResult {
@@ -47,8 +64,8 @@ struct CommandLogResult {
   std::vector<std::string> faults;  ///< as of SceneResult
 };
 
-/// Reads a command log (Protobuf text format of `CommandLog` in proto/commands.proto, at most 64 MiB). Never throws for
-/// what it holds.
+/// Reads a command log (Protobuf text format of `CommandLog` in proto/commands.proto, at most 1 GiB). A last line that
+/// was cut off is left out, and told. Never throws for what it holds.
 [[nodiscard]] CommandLogResult read_command_log_file(const std::filesystem::path& path);
 [[nodiscard]] CommandLogResult read_command_log_text(std::string_view text, const std::string& source_name);
 
@@ -60,6 +77,8 @@ class CommandLogWriter {
   CommandLogWriter(const std::string& file, const CommandLogHeader& header);
 
   void write(const LoggedCommand& command);
+  void write(const LoggedPose& pose);
+  void write(const CommandLogCheck& check);
   void write(const CommandLogEnd& end);
   /// Tries again to write what waits for room on the disk.
   void flush() { file_.flush(); }

@@ -22,41 +22,41 @@ void write_vector(const Eigen::Vector3d& from, proto::v1::Vector& to) {
 
 // ---- each command: out of its message, and back
 
-Command read_set_wind(const FieldReader& reader, const CommandBasis& given) {
+Command read_set_wind(const FieldReader& reader) {
   SetWind command;
-  std::optional<WindSettings> basis = given.wind;
-  bool clear_pulse = false;
-  reader.read("clear_pulse", clear_pulse);
-  if (clear_pulse && basis) basis->pulse.reset();
   const FieldReader wind = reader.child("wind");
-  if (clear_pulse && wind.has("pulse")) reader.fault("clear_pulse", "is true beside wind.pulse; allowed: one of them");
-  command.wind = read_wind(wind, basis);
+  command.wind = read_wind_change(wind);
+  reader.read("clear_pulse", command.wind.clear_pulse);
+  if (command.wind.clear_pulse && wind.has("pulse"))
+    reader.fault("clear_pulse", "is true beside wind.pulse; allowed: one of them");
   reader.read("ramp", limits::kRamp, command.ramp_seconds);
   return command;
 }
 
 void write(const SetWind& command, proto::v1::TimedCommand& message) {
+  const WindChange& change = command.wind;
   proto::v1::SetWind& out = *message.mutable_set_wind();
   proto::v1::Wind& wind = *out.mutable_wind();
-  write_vector(command.wind.velocity, *wind.mutable_velocity());
-  wind.set_amplitude(command.wind.amplitude);
-  wind.set_length(command.wind.length);
-  if (command.wind.law != WindLaw::kStress) wind.set_beta(command.wind.beta);
-  wind.set_law(law_of(command.wind.law));
-  wind.set_roughness(command.wind.roughness);
-  if (command.wind.pulse) {
-    wind.mutable_pulse()->set_period(command.wind.pulse->period);
-    wind.mutable_pulse()->set_width(command.wind.pulse->width);
-  } else {
-    out.set_clear_pulse(true);
+  if (change.velocity) write_vector(*change.velocity, *wind.mutable_velocity());
+  if (change.speed) wind.set_speed(*change.speed);
+  if (change.from_deg) wind.set_from_deg(*change.from_deg);
+  if (change.amplitude) wind.set_amplitude(*change.amplitude);
+  if (change.length) wind.set_length(*change.length);
+  if (change.beta) wind.set_beta(*change.beta);
+  if (change.law) wind.set_law(law_of(*change.law));
+  if (change.roughness) wind.set_roughness(*change.roughness);
+  if (change.pulse) {
+    wind.mutable_pulse()->set_period(change.pulse->period);
+    wind.mutable_pulse()->set_width(change.pulse->width);
   }
+  if (change.clear_pulse) out.set_clear_pulse(true);
   out.set_ramp(command.ramp_seconds);
 }
 
-Command read_clear_wind(const FieldReader&, const CommandBasis&) { return ClearWind{}; }
+Command read_clear_wind(const FieldReader&) { return ClearWind{}; }
 void write(const ClearWind&, proto::v1::TimedCommand& message) { message.mutable_clear_wind(); }
 
-Command read_set_current(const FieldReader& reader, const CommandBasis&) {
+Command read_set_current(const FieldReader& reader) {
   SetCurrent command;
   reader.require("current");
   if (reader.has("current")) command.current = read_current(reader.child("current"));
@@ -74,16 +74,16 @@ void write(const SetCurrent& command, proto::v1::TimedCommand& message) {
   out.set_ramp(command.ramp_seconds);
 }
 
-Command read_clear_current(const FieldReader&, const CommandBasis&) { return ClearCurrent{}; }
+Command read_clear_current(const FieldReader&) { return ClearCurrent{}; }
 void write(const ClearCurrent&, proto::v1::TimedCommand& message) { message.mutable_clear_current(); }
 
-Command read_pause(const FieldReader&, const CommandBasis&) { return PauseSimulation{}; }
+Command read_pause(const FieldReader&) { return PauseSimulation{}; }
 void write(const PauseSimulation&, proto::v1::TimedCommand& message) { message.mutable_pause(); }
 
-Command read_resume(const FieldReader&, const CommandBasis&) { return ResumeSimulation{}; }
+Command read_resume(const FieldReader&) { return ResumeSimulation{}; }
 void write(const ResumeSimulation&, proto::v1::TimedCommand& message) { message.mutable_resume(); }
 
-Command read_step(const FieldReader& reader, const CommandBasis&) {
+Command read_step(const FieldReader& reader) {
   StepSimulation command;
   reader.read("steps", {1.0, 10000.0}, command.steps);
   return command;
@@ -93,7 +93,7 @@ void write(const StepSimulation& command, proto::v1::TimedCommand& message) {
   message.mutable_step()->set_steps(command.steps);
 }
 
-Command read_set_effort(const FieldReader& reader, const CommandBasis&) {
+Command read_set_effort(const FieldReader& reader) {
   SetEffort command;
   for (const char* field : {"max_step", "density_tolerance", "divergence_tolerance"}) reader.require(field);
   reader.read("max_step", {1e-6, 10.0, "s"}, command.effort.max_step);
@@ -114,9 +114,9 @@ void write(const SetEffort& command, proto::v1::TimedCommand& message) {
 void write(const SetProbe& command, proto::v1::TimedCommand& message) { write_probe(command, message); }
 void write(const RemoveProbe& command, proto::v1::TimedCommand& message) { write_probe(command, message); }
 
-/// The commands that concern probes and oil build on nothing.
+/// Commands of a type of their own.
 template <auto read>
-Command read_alone(const FieldReader& reader, const CommandBasis&) {
+Command read_as_command(const FieldReader& reader) {
   return read(reader);
 }
 void write(const OilCommand& command, proto::v1::TimedCommand& message) { write_oil(command, message); }
@@ -127,7 +127,7 @@ enum class Allowed { kEverywhere, kNotTimed, kLogOnly };
 
 struct CommandField {
   std::string_view name;
-  Command (*read)(const FieldReader& reader, const CommandBasis& basis);
+  Command (*read)(const FieldReader& reader);
   Allowed allowed = Allowed::kEverywhere;
 };
 
@@ -138,15 +138,15 @@ constexpr std::array kCommandFields{
     CommandField{"set_current", read_set_current},
     CommandField{"clear_current", read_clear_current},
     CommandField{"pause", read_pause},
-    CommandField{"release_oil", read_alone<read_release_oil>},
-    CommandField{"stop_release", read_alone<read_stop_release>},
-    CommandField{"spill_oil", read_alone<read_spill_oil>},
-    CommandField{"set_boom", read_alone<read_set_boom>},
-    CommandField{"remove_boom", read_alone<read_remove_boom>},
-    CommandField{"set_skimmer", read_alone<read_set_skimmer>},
-    CommandField{"remove_skimmer", read_alone<read_remove_skimmer>},
-    CommandField{"set_probe", read_alone<read_set_probe>},
-    CommandField{"remove_probe", read_alone<read_remove_probe>},
+    CommandField{"release_oil", read_as_command<read_release_oil>},
+    CommandField{"stop_release", read_as_command<read_stop_release>},
+    CommandField{"spill_oil", read_as_command<read_spill_oil>},
+    CommandField{"set_boom", read_as_command<read_set_boom>},
+    CommandField{"remove_boom", read_as_command<read_remove_boom>},
+    CommandField{"set_skimmer", read_as_command<read_set_skimmer>},
+    CommandField{"remove_skimmer", read_as_command<read_remove_skimmer>},
+    CommandField{"set_probe", read_as_command<read_set_probe>},
+    CommandField{"remove_probe", read_as_command<read_remove_probe>},
     CommandField{"resume", read_resume, Allowed::kNotTimed},
     CommandField{"step", read_step, Allowed::kNotTimed},
     CommandField{"set_effort", read_set_effort, Allowed::kLogOnly},
@@ -176,12 +176,11 @@ bool check_place(const FieldReader& reader, const CommandField& field, CommandPl
 
 bool is_command(const std::string& field) { return find_field(field) != nullptr; }
 
-std::optional<Command> read_command(const FieldReader& reader, const char* oneof, CommandPlace place,
-                                    const CommandBasis& basis) {
+std::optional<Command> read_command(const FieldReader& reader, const char* oneof, CommandPlace place) {
   const std::string name = reader.which(oneof);
   const CommandField* field = find_field(name);
   if (field == nullptr || !check_place(reader, *field, place)) return std::nullopt;
-  return field->read(reader.child(name.c_str()), basis);
+  return field->read(reader.child(name.c_str()));
 }
 
 void write_command(const Command& command, proto::v1::TimedCommand& message) {

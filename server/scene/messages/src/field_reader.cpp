@@ -97,6 +97,12 @@ int FieldReader::line_of(const Field& descriptor, int index) const {
   return location.line < 0 ? line_ : location.line + 1;
 }
 
+void FieldReader::fault(const Misfit& misfit) const {
+  const std::size_t dot = misfit.field.find('.');
+  if (dot == std::string::npos) return fault(misfit.field.c_str(), misfit.what);
+  child(misfit.field.substr(0, dot).c_str()).fault(Misfit{misfit.field.substr(dot + 1), misfit.what});
+}
+
 void FieldReader::fault(const char* name, std::string what) const {
   int line = line_;
   if (*name != '\0') {

@@ -11,6 +11,7 @@
 #include "simulation/bodies.hpp"
 #include "simulation/water_surface.hpp"
 #include "values/current.hpp"
+#include "values/misfit.hpp"
 #include "values/oil_budget.hpp"
 #include "values/scene.hpp"
 #include "values/slick.hpp"
@@ -84,13 +85,13 @@ class OilSpill {
   OilSpill(const Scene& scene, const FluidState& fluid, const Eigen::Vector3d& origin, double water_level);
 
   // Each returns why it is refused, or nothing. They fit the scene (find_misfit).
-  [[nodiscard]] std::optional<std::string> apply(const ReleaseOil& command, const Bodies& hulls);
-  [[nodiscard]] std::optional<std::string> apply(const StopRelease& command);
-  [[nodiscard]] std::optional<std::string> apply(const SpillOil& command);
-  [[nodiscard]] std::optional<std::string> apply(const SetBoom& command);
-  [[nodiscard]] std::optional<std::string> apply(const RemoveBoom& command);
-  [[nodiscard]] std::optional<std::string> apply(const SetSkimmer& command);
-  [[nodiscard]] std::optional<std::string> apply(const RemoveSkimmer& command);
+  [[nodiscard]] std::optional<Misfit> apply(const ReleaseOil& command, const Bodies& hulls);
+  [[nodiscard]] std::optional<Misfit> apply(const StopRelease& command);
+  [[nodiscard]] std::optional<Misfit> apply(const SpillOil& command);
+  [[nodiscard]] std::optional<Misfit> apply(const SetBoom& command);
+  [[nodiscard]] std::optional<Misfit> apply(const RemoveBoom& command);
+  [[nodiscard]] std::optional<Misfit> apply(const SetSkimmer& command);
+  [[nodiscard]] std::optional<Misfit> apply(const RemoveSkimmer& command);
 
   /// One step after the water's: sources, film, exchange. Changes phases of particles only.
   void advance(double dt, const SpillSea& sea, FluidState& fluid);

@@ -15,10 +15,8 @@ namespace pelagos {
 /// The probes of a world: they read the same particles that the screens show, and cost nothing where there are none.
 class Probes {
  public:
-  /// @return why it cannot be; nothing where it was done
-  [[nodiscard]] std::optional<std::string> set(const ProbeSettings& probe);
-  [[nodiscard]] std::optional<std::string> remove(std::uint32_t id);
-  [[nodiscard]] std::vector<std::uint32_t> ids() const;
+  void set(const ProbeSettings& probe) { probes_[probe.id] = probe; }
+  void remove(std::uint32_t id) { probes_.erase(id); }
   [[nodiscard]] const std::map<std::uint32_t, ProbeSettings>& settings() const { return probes_; }
   void restore(const std::map<std::uint32_t, ProbeSettings>& probes) { probes_ = probes; }
 

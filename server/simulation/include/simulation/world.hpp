@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/fluid.hpp"
+#include "physics/water_step.hpp"
 #include "simulation/bodies.hpp"
 #include "simulation/current_drive.hpp"
 #include "simulation/frame_clock.hpp"
@@ -16,11 +16,13 @@
 #include "simulation/water_surface.hpp"
 #include "simulation/world_state.hpp"
 #include "surface/surface_extractor.hpp"
-#include "values/command.hpp"
+#include "values/command_site.hpp"
 #include "values/effort.hpp"
+#include "values/given_names.hpp"
 #include "values/scene.hpp"
 #include "values/scene_info.hpp"
 #include "values/snapshot.hpp"
+#include "values/step_inputs.hpp"
 #include "wind/wind.hpp"
 
 namespace pelagos {
@@ -39,15 +41,22 @@ enum class StepFault {
   kFatal,     ///< there are some, and nothing is left to try
 };
 
+/// What became of a command: `done` is what took effect, with all that it left out, unless it was refused.
+struct CommandOutcome {
+  Command done;
+  std::optional<Misfit> refusal;
+};
+
 /// A step and whether it reached a frame. After a restored fault the report tells of the step that failed.
 struct WorldStep {
+  std::vector<CommandOutcome> outcomes;  ///< of the commands, in their order
   StepReport report;
   bool frame_reached = false;
   StepFault fault = StepFault::kNone;
 };
 
 /// A scene in motion: water, walls, bodies, wind, current and time. No I/O beyond the mesh files read at the start.
-/// The same scene, seed, poses and commands at the same steps give the same bits for any number of threads.
+/// The same scene, seed and inputs of the same steps give the same bits for any number of threads.
 class World {
  public:
   /// Throws std::invalid_argument naming what is wrong with which body, one a line.
@@ -56,26 +65,19 @@ class World {
   /// Advances by one step, no further than the next frame. Where the scene asks for it (FaultPolicy::kRestore), a step
   /// that ends with values that are not finite is taken back, and the next second of simulated time is made with half
   /// the step (a quarter after a second fault); a third fault before such a second is over is fatal.
-  WorldStep advance();
+  WorldStep advance(const StepInputs& inputs = {});
 
-  /// Takes a validated pose; false if no body follows it.
-  bool accept_pose(const BodyPose& pose) { return bodies_.accept(pose, clock_.time()); }
+  /// Takes the inputs without a step, while time stands still: the next step starts from them. Poses that no body
+  /// follows, or that are not newer than the last, change nothing. Commands that steer the clock (pause, resume, single
+  /// steps) are for whoever advances the world and do nothing here; the scene's events come in as inputs too.
+  std::vector<CommandOutcome> take(const StepInputs& inputs);
 
-  /// Does what a command asks, from the next step on. Those that steer the clock (pause, resume, single steps) are for
-  /// whoever advances the world and do nothing here. The scene's events are not applied by the world itself either.
-  /// @return why it cannot be done, and then nothing has changed; nothing where it was done
-  [[nodiscard]] std::optional<std::string> apply(const Command& command);
-  void set_wind(const WindSettings& wind, double ramp_seconds);
-  void clear_wind() { wind_.reset(); }
   [[nodiscard]] std::optional<WindSettings> wind() const;
   /// The air as it moves now and from now on, to be asked anywhere; nothing without wind.
   [[nodiscard]] std::optional<Air> air() const;
 
-  /// Along periodic axes the water follows (see CurrentDrive); along the others only what drifts is carried.
-  void set_current(const CurrentSettings& current, double ramp_seconds);
-  /// Nothing drifts any more; water that moves is slowed down for ten relaxation times, then left alone.
-  void clear_current();
-  /// As running now; nothing without one.
+  /// As running now; nothing without one. Along periodic axes the water follows it (see CurrentDrive), along the others
+  /// only what drifts is carried. Where it is cleared, water that moves is slowed down for ten relaxation times.
   [[nodiscard]] std::optional<CurrentSettings> current() const;
   /// For x, y: whether the water itself moves with a current.
   [[nodiscard]] const std::array<bool, 2>& current_moves_water() const { return drive_.moves_water(); }
@@ -92,11 +94,13 @@ class World {
   [[nodiscard]] const std::optional<Current>& current_field() const { return current_.running; }
 
   /// What the coming steps may cost. The scene's own until it is set; warm starts and states are kept.
-  void set_effort(const Effort& effort);
   [[nodiscard]] Effort effort() const;
 
-  /// Fills time, frame, origin, bodies and the particles that travel. Its cost is a stage of the last step.
-  void fill_snapshot(Snapshot& snapshot, StepReport& report);
+  /// Takes the frame that the last step has reached: time, bodies, loads since the frame before, probes, oil, and the
+  /// particles that travel. Foam goes on with it. Its cost is a stage of the last step.
+  void take_frame(Snapshot& snapshot, StepReport& report);
+  /// The sea as it is, for whoever looks at it while no step is made: nothing goes on. Costs a search of neighbours.
+  void look(Snapshot& snapshot) const;
 
   /// All that the future depends on: a copy. `restore` goes on from it, with the same bits.
   [[nodiscard]] WorldState state() const;
@@ -114,6 +118,8 @@ class World {
   [[nodiscard]] double time() const { return clock_.time(); }  ///< s
   [[nodiscard]] std::uint64_t frame() const { return clock_.frame(); }
   [[nodiscard]] std::uint64_t step() const { return step_; }  ///< steps made so far
+  /// Steps that ended with values that are not finite and were taken back.
+  [[nodiscard]] std::uint64_t restored_faults() const { return faults_.restored; }
   [[nodiscard]] const FluidState& fluid() const { return fluid_; }
   [[nodiscard]] const Eigen::Vector3d& origin() const { return origin_; }  ///< m, world
   [[nodiscard]] const Bodies& bodies() const { return bodies_; }
@@ -121,7 +127,8 @@ class World {
   [[nodiscard]] const WaveField& sea() const { return sea_; }
   /// What the probes read now, by id.
   [[nodiscard]] std::vector<ProbeReading> read_probes() const;
-  [[nodiscard]] std::vector<std::uint32_t> probe_ids() const { return probes_.ids(); }
+  /// What bears a name that commands may speak of.
+  [[nodiscard]] GivenNames names() const;
   /// The oil; nothing in a scene without.
   [[nodiscard]] const std::optional<OilSpill>& spill() const { return spill_; }
   [[nodiscard]] double water_level() const { return water_level_; }  ///< m, world, at rest
@@ -131,18 +138,28 @@ class World {
 
  private:
   friend struct WorldTestAccess;  // tests of faults put them into the water
-  [[nodiscard]] double choose_time_step() const;
+  [[nodiscard]] double choose_step() const;
+  [[nodiscard]] CommandOutcome apply(const Command& command);
+  [[nodiscard]] std::optional<Misfit> apply_valid(const Command& command);
+  [[nodiscard]] std::optional<Misfit> set_wind(const SetWind& command);
+  void set_current(const CurrentSettings& current, double ramp_seconds);
+  void clear_current();
+  void set_effort(const Effort& effort);
+  [[nodiscard]] WaterStepParts step_parts(double time, double dt);
   void settle();
   void note_start();
   void start_current();
+  void blow(double time, StepReport& report);
   void drive_current(double time, StepReport& report);
   [[nodiscard]] BodySea body_sea(double time) const;
-  [[nodiscard]] std::optional<std::string> apply_to_oil(const OilCommand& command);
+  [[nodiscard]] std::optional<Misfit> apply_to_oil(const OilCommand& command);
   void advance_oil(double dt, double time, StepReport& report);
   void keep_recovery_point();
+  void fill(Snapshot& snapshot) const;
   StepFault recover();
 
   Scene scene_;
+  CommandSite site_;
   WorldOptions options_;
   std::unique_ptr<TaskPool> pool_;
   Eigen::Vector3d origin_;

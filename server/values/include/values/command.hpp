@@ -9,7 +9,7 @@
 #include "values/effort.hpp"
 #include "values/probe.hpp"
 #include "values/spill.hpp"
-#include "values/wind.hpp"
+#include "values/wind_change.hpp"
 
 namespace pelagos {
 
@@ -17,9 +17,10 @@ namespace pelagos {
 // boundaries, in the order of arrival, and logged with the step at which they took effect. docs/architecture.md lists
 // what a new one needs.
 
-/// Replace the wind; from the present wind linearly over `ramp_seconds` (0: at once).
+/// Change the wind; from the present wind linearly over `ramp_seconds` (0: at once). What is left out keeps the values
+/// of the wind that was last set when the command takes effect.
 struct SetWind {
-  WindSettings wind;
+  WindChange wind;
   double ramp_seconds = 0.0;
 };
 /// No wind from now on (and no cost for it).

@@ -50,6 +50,8 @@ class Air {
   /// A time step has been made: moves the paper's pulse and noise on. Nothing else depends on it.
   void count_step() { ++steps_; }
 
+  /// The settings that were last set, where a ramp ends.
+  [[nodiscard]] const WindSettings& target() const { return to_; }
   /// The settings as they are at `time`, mid-ramp values included.
   [[nodiscard]] WindSettings settings_at(double time) const { return at(time).wind; }
 

@@ -19,20 +19,14 @@ enum class CommandPlace {
   kLog,    ///< in a command log
 };
 
-/// What commands build on that leave something out.
-struct CommandBasis {
-  std::optional<WindSettings> wind;  ///< last set before
-};
-
 /// Reads the command that is set in a oneof of a message: TimedCommand's `command`, or Request's `body`, whose older
 /// fields are commands too. Faults are noted with the field's path. Nothing if none is set or it is no command.
-[[nodiscard]] std::optional<Command> read_command(const FieldReader& reader, const char* oneof, CommandPlace place,
-                                                  const CommandBasis& basis);
+[[nodiscard]] std::optional<Command> read_command(const FieldReader& reader, const char* oneof, CommandPlace place);
 
 /// Whether read_command knows the field as a command.
 [[nodiscard]] bool is_command(const std::string& field);
 
-/// The same as a message, whatever the command builds on written out: read back, it is bit for bit the same.
+/// The same as a message: read back, it is bit for bit the same.
 void write_command(const Command& command, proto::v1::TimedCommand& message);
 
 /// s of simulated time that a command may be given for.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "text/nearest_name.hpp"
+#include "values/misfit.hpp"
 
 namespace pelagos {
 
@@ -74,6 +75,8 @@ class FieldReader {
 
   /// Notes a fault of a field of this message, or of the message itself (name "").
   void fault(const char* name, std::string what) const;
+  /// Notes what does not fit: its field may be a path, as in "pulse.width".
+  void fault(const Misfit& misfit) const;
   [[nodiscard]] std::size_t fault_count() const { return faults_->size(); }
 
  private:

@@ -3,14 +3,14 @@
 #include <optional>
 
 #include "messages/field_reader.hpp"
-#include "values/wind.hpp"
+#include "values/wind_change.hpp"
 
 namespace pelagos {
 
 /// Reads a `Wind` message (proto/wind.proto states the ranges); faults are noted in the reader.
-/// @param present  the wind whose values fields that are left out keep, direction included; nullopt: defaults, and the
-///                 mean must be given in full
+[[nodiscard]] WindChange read_wind_change(const FieldReader& reader);
+/// The same as a whole wind: what is left out has its default, and the mean must be given.
 /// @return the wind; to be used only if no fault was noted
-[[nodiscard]] WindSettings read_wind(const FieldReader& reader, const std::optional<WindSettings>& present);
+[[nodiscard]] WindSettings read_wind(const FieldReader& reader);
 
 }  // namespace pelagos

@@ -38,7 +38,7 @@ Json speed(const ServerSummary& s) {
           {"achievable_real_time_factor", s.run.achievable_real_time_factor()},
           {"step_ms_mean", s.run.step_ms()},
           {"step_ms_peak", s.run.step_ms_peak},
-          {"time_step_s_mean", s.run.mean(s.run.time_step)},
+          {"time_step_s_mean", s.run.mean(s.run.simulated_s)},
           {"surface_ms_per_frame", s.surface_ms_mean}};
 }
 
@@ -92,7 +92,8 @@ std::string write_run_report(const std::string& file, const ServerSummary& s) {
   json["peak_memory_bytes"] = peak_memory();
   json["state"] = {{"step", s.status.step},
                    {"simulation_time_s", s.status.simulation_time},
-                   {"hash", fmt::format("{:016x}", s.state_hash)}};
+                   {"hash", fmt::format("{:016x}", s.state_hash)},
+                   {"world_hash", fmt::format("{:016x}", s.world_hash)}};
   json["speed"] = speed(s);
   json["error"] = error(s);
   json["effort"] = effort(s);

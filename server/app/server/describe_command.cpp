@@ -39,10 +39,13 @@ struct OilDescriber {
 
 struct Describer {
   CommandNews operator()(const SetWind& c) const {
+    WindSettings wind;
+    const bool whole = c.wind.velocity && c.wind.amplitude && c.wind.length && c.wind.roughness && c.wind.law;
+    if (!whole || merge_wind(c.wind, std::nullopt, wind)) return {"wind", change(c)};
     return {"wind",
             fmt::format("wind {:.1f} m/s from {:.0f} deg, gusts {:.1f} m/s, over {:.1f} s, roughness {:g} m{}{}",
-                        c.wind.velocity.head<2>().norm(), wind_from_deg(c.wind.velocity), c.wind.amplitude,
-                        c.ramp_seconds, c.wind.roughness, pulse(c.wind), law(c.wind))};
+                        wind.velocity.head<2>().norm(), wind_from_deg(wind.velocity), wind.amplitude, c.ramp_seconds,
+                        wind.roughness, pulse(wind), law(wind))};
   }
   CommandNews operator()(const ClearWind&) const { return {"wind", "no wind"}; }
   CommandNews operator()(const SetCurrent& c) const {
@@ -71,6 +74,26 @@ struct Describer {
 
   CommandNews operator()(const OilCommand& c) const { return {"oil", std::visit(OilDescriber{}, c)}; }
 
+  /// What a wind that leaves something out says.
+  static std::string change(const SetWind& c) {
+    const WindChange& w = c.wind;
+    std::string text = "wind:";
+    if (w.velocity)
+      text += fmt::format(" {:.1f} m/s from {:.0f} deg,", w.velocity->head<2>().norm(), wind_from_deg(*w.velocity));
+    if (w.speed) text += fmt::format(" {:.1f} m/s,", *w.speed);
+    if (w.from_deg) text += fmt::format(" from {:.0f} deg,", *w.from_deg);
+    if (w.amplitude) text += fmt::format(" gusts {:.1f} m/s,", *w.amplitude);
+    if (w.length) text += fmt::format(" eddies {:g} m,", *w.length);
+    if (w.beta) text += fmt::format(" beta {:g},", *w.beta);
+    if (w.roughness) text += fmt::format(" roughness {:g} m,", *w.roughness);
+    if (w.pulse) text += fmt::format(" pulse {:g} of every {:g},", w.pulse->width, w.pulse->period);
+    if (w.clear_pulse) text += " no pulse,";
+    if (w.law)
+      text += fmt::format(" law {},", *w.law == WindLaw::kGust     ? "gust"
+                                      : *w.law == WindLaw::kStress ? "stress"
+                                                                   : "paper");
+    return text + fmt::format(" over {:.1f} s, the rest as it is", c.ramp_seconds);
+  }
   static std::string pulse(const WindSettings& wind) {
     if (!wind.pulse) return "";
     const char* unit = wind.law == WindLaw::kPaper ? "steps" : "s";

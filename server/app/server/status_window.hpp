@@ -2,20 +2,16 @@
 
 #include <cstdint>
 
-#include "physics/step_report.hpp"
+#include "physics/step_sums.hpp"
 #include "values/status.hpp"
 
 namespace pelagos {
 
-/// Means over a stretch of wall time, and over the whole run.
-struct RunningMeans {
-  double wall_s = 0, simulated_s = 0, busy_s = 0;
-  std::uint64_t steps = 0, unconverged_steps = 0;
-  double density_error = 0, density_iterations = 0, divergence_iterations = 0, time_step = 0;  ///< sums over steps
-  double density_error_peak = 0, step_ms_peak = 0, largest_density_peak = 0;
+/// The steps of a stretch of wall time, or of the whole run.
+struct RunningMeans : StepSums {
+  double wall_s = 0, busy_s = 0, step_ms_peak = 0;
 
   void add(const StepReport& report, double busy_seconds);
-  [[nodiscard]] double mean(double sum) const { return steps > 0 ? sum / static_cast<double>(steps) : 0.0; }
   [[nodiscard]] double real_time_factor() const { return wall_s > 0 ? simulated_s / wall_s : 0.0; }
   [[nodiscard]] double achievable_real_time_factor() const { return busy_s > 0 ? simulated_s / busy_s : 0.0; }
   [[nodiscard]] double step_ms() const { return steps > 0 ? busy_s * 1e3 / static_cast<double>(steps) : 0.0; }

@@ -10,16 +10,8 @@ constexpr std::int64_t kWindowNs = 1'000'000'000;
 }  // namespace
 
 void RunningMeans::add(const StepReport& report, double busy_seconds) {
-  ++steps;
+  StepSums::add(report);
   busy_s += busy_seconds;
-  simulated_s += report.dt;
-  time_step += report.dt;
-  density_error += report.density_error;
-  density_iterations += report.density.iterations;
-  divergence_iterations += report.divergence.iterations;
-  unconverged_steps += report.density.converged && report.divergence.converged ? 0 : 1;
-  density_error_peak = std::max(density_error_peak, report.density_error);
-  largest_density_peak = std::max(largest_density_peak, report.largest_density);
   step_ms_peak = std::max(step_ms_peak, busy_seconds * 1e3);
 }
 
@@ -36,7 +28,7 @@ bool StatusWindow::roll(std::int64_t now_ns, ServerStatus& status) {
   status.unconverged_steps = static_cast<std::uint32_t>(window_.unconverged_steps);
   if (window_.steps > 0) {
     status.step_ms = window_.step_ms();
-    status.time_step = window_.mean(window_.time_step);
+    status.time_step = window_.mean(window_.simulated_s);
     status.density_error = window_.mean(window_.density_error);
     status.largest_density = window_.largest_density_peak;
     status.density_iterations = window_.mean(window_.density_iterations);

@@ -1,9 +1,9 @@
-#include "messages/given_names.hpp"
+#include "values/given_names.hpp"
 
 #include <algorithm>
 #include <vector>
 
-#include "messages/field_reader.hpp"
+#include "text/nearest_name.hpp"
 #include "values/oil_limits.hpp"
 
 namespace pelagos {

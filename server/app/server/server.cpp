@@ -1,0 +1,152 @@
+#include "server.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "control/endpoint.hpp"
+#include "fields/field_hash.hpp"
+#include "machine.hpp"
+#include "monotonic_clock.hpp"
+#include "pelagos_dds/log_sink.hpp"
+#include "server_log.hpp"
+#include "version/version.hpp"
+
+namespace pelagos {
+
+namespace {
+
+std::optional<Replay> replay_of(const ServerOptions& options) {
+  return options.replay ? std::optional<Replay>(*options.replay) : std::nullopt;
+}
+
+}  // namespace
+
+Server::Server(const ServerOptions& options, const std::atomic<bool>& stop)
+    : options_(options), stop_(stop), gate_(options.scene, replay_of(options)) {
+  status_.scene = options_.scene.name;
+  board_.put_up(status_, std::nullopt);
+  open_links();
+  open_world();
+  open_records();
+}
+
+Server::~Server() {
+  gate_.close();     // whoever waits for an answer gets one while the link stands
+  control_.reset();  // first: its hooks use everything else
+  install_dds_log({});
+}
+
+ControlHooks Server::control_hooks() {
+  ControlHooks hooks;
+  hooks.submit = [this](const Command& c, const std::string& source, TakeAnswer answer) {
+    return gate_.submit(c, source, std::move(answer));
+  };
+  hooks.schedule = [this](const Command& c, double at, const std::string& source) {
+    return gate_.schedule(c, at, source);
+  };
+  hooks.cancel = [this](std::uint64_t id, const std::string& source) { return gate_.cancel(id, source); };
+  hooks.scheduled = [this] { return gate_.scheduled(); };
+  hooks.find_misfit = [site = command_site(options_.scene)](const Command& c) { return find_misfit(c, site); };
+  hooks.status = [this] { return *board_.status(); };
+  hooks.read_air = [this](const std::vector<Eigen::Vector3d>& position) { return board_.read_air(position); };
+  hooks.log = [](LogLevel level, std::string_view text) {
+    level == LogLevel::kInfo ? log_info(text) : level == LogLevel::kWarning ? log_warning(text) : log_error(text);
+  };
+  return hooks;
+}
+
+void Server::open_links() {
+  control_ = std::make_unique<ControlServer>(options_.control, control_hooks());
+  log_info("control: listening on " + to_string(Endpoint{options_.control.host, control_->port()}));
+
+  install_dds_log([](std::string_view line) { log_warning(line); });
+  DdsSettings dds;
+  dds.domain = options_.domain;
+  dds.config_file = options_.dds_config;
+  dds.log = [](std::string_view line) { log_warning(line); };
+  participant_ = join_dds(dds);
+  status_.open_links = find_open_links(*participant_, dds);
+  board_.put_up(status_, std::nullopt);
+  PublisherSettings settings;
+  settings.bodies_in_ned = options_.bodies_in_ned;
+  publisher_ = std::make_unique<FramePublisher>(participant_, std::nullopt, settings, dds.log);
+  publisher_->submit_status(status_);  // viewers see that a server starts
+  announcer_ = std::make_unique<Announcer>(*control_, *publisher_);
+}
+
+void Server::open_world() {
+  WorldOptions world;
+  world.threads = options_.threads;
+  world.clock = monotonic_ns;
+  world.progress = [this](double) { return !stop_.load(); };
+  log_info(fmt::format("scene {}: placing and settling the water", options_.scene.name));
+  world_ = std::make_unique<World>(options_.scene, world);
+  for (const std::string& note : world_->bodies().mesh_notes()) log_info(note);
+  for (const std::string& note : world_->start_notes()) log_warning("start: " + note);
+  status_.start_notes = world_->start_notes();
+  board_.put_up(status_, std::nullopt);
+  log_info(
+      fmt::format("scene {}: {} particles of {:g} m, {} boundary samples ({} on bodies), {} threads; DDS domain {}",
+                  options_.scene.name, world_->fluid().particles.count, options_.scene.particle_spacing,
+                  world_->fluid().static_walls + world_->bodies().moving_sample_count(),
+                  world_->bodies().sample_count(), options_.threads, options_.domain));
+  publisher_->publish_scene_info(world_->describe());
+  gate_.open(participant_, [](std::string_view line) { log_warning(line); });
+}
+
+void Server::open_records() {
+  const Scene& scene = options_.scene;
+  const CommandLogHeader header{kVersion, describe_machine().instruction_set, scene.name, scene.seed,
+                                world_->fluid().particles.count};
+  if (const auto& replay = gate_.replay()) {
+    if (const std::string fault = replay->mismatch(header); !fault.empty()) throw std::invalid_argument(fault);
+    if (const std::string doubt = replay->doubt(header); !doubt.empty()) log_warning(doubt);
+    const CommandLog& log = replay->log();
+    log_info(
+        fmt::format("replay: {} commands, {} poses; the scene's events, its governor, stations' commands and "
+                    "bridges' poses do not act",
+                    log.commands.size(), log.poses.size()));
+    if (!log.cut_off.empty()) log_warning("replay: " + log.cut_off);
+    if (!log.end) log_warning("replay: the logged run was cut off; this one goes on until it is stopped");
+  }
+  recorder_.emplace(options_.command_log, header);
+}
+
+ServerSummary Server::run() {
+  SimulationLoop loop({*world_, gate_, *recorder_, board_, *announcer_, *publisher_},
+                      {options_.duration, options_.paced}, status_);
+  ServerSummary summary;
+  summary.end = loop.run(stop_);
+  gate_.close();
+  if (summary.end == ServerEnd::kReplayEnded) tell_replay_end();
+  if (const std::size_t waiting = gate_.scheduled_count(); waiting > 0)
+    log_info(fmt::format("{} commands were not due before the end", waiting));
+  recorder_->end(*world_);
+  summary.status = *board_.status();
+  summary.run = loop.whole_run();
+  summary.lowest_real_time_factor = loop.lowest_real_time_factor();
+  summary.surface_ms_mean = loop.mean_surface_ms();
+  summary.publisher = publisher_->counters();
+  summary.poses = gate_.pose_counters();
+  summary.control = control_->statistics();
+  summary.effort_changes = loop.effort_changes();
+  summary.frame_budget = loop.frame_budget();
+  summary.hull_samples = world_->bodies().sample_count();
+  summary.threads = options_.threads;
+  summary.state_hash = state_hash(world_->fluid().particles);
+  summary.world_hash = hash_fields(world_->state());
+  summary.log_failed = recorder_->failed();
+  return summary;
+}
+
+void Server::tell_replay_end() const {
+  const Replay& replay = *gate_.replay();
+  const std::uint64_t now = state_hash(world_->fluid().particles), then = replay.log().end->state_hash;
+  const std::string what =
+      fmt::format("replay: {} steps, state {:016x}, that of the logged run {:016x}: {}; {}", world_->step(), now, then,
+                  now == then ? "the same bits" : "not the same bits", replay.checks_text());
+  now == then ? log_info(what) : log_warning(what);
+}
+
+}  // namespace pelagos
