@@ -209,16 +209,16 @@ TEST(PlaceSamples, MovesAsARigidBody) {
   state.orientation = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
   state.velocity = {1, 2, 3};
   state.angular_velocity = {0.1, -0.2, 0.3};
-  const Eigen::Vector3d origin(990, 2000, 0);
+  const PatchFrame patch{{990, 2000, 0}, {}, kWalledTank};
   std::vector<Float4> position(shape.samples.size(), {0, 0, 0, 7}), velocity(shape.samples.size());
-  place_samples(shape, state, origin, position, velocity);
+  place_samples(shape, state, patch, position, velocity);
   BodyState later = state;
   const double dt = 1e-3;
   later.position += dt * state.velocity;
   later.orientation =
       Eigen::AngleAxisd(state.angular_velocity.norm() * dt, state.angular_velocity.normalized()) * state.orientation;
   std::vector<Float4> moved = position, ignored = velocity;
-  place_samples(shape, later, origin, moved, ignored);
+  place_samples(shape, later, patch, moved, ignored);
   for (std::size_t n = 0; n < position.size(); ++n) {
     EXPECT_EQ(position[n].w, 7.0f);
     // positions near 10 m in single precision: 1e-6 / dt

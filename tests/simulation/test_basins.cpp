@@ -45,7 +45,7 @@ std::vector<Basin> basins_of(const Scene& scene) {
   TaskPool pool(1);
   const FluidParticles& p = world.fluid().particles;
   std::vector<Basin> basins =
-      find_basins(pool, scene, world.bodies(), std::span(p.position).first(p.count), world.origin());
+      find_basins(pool, scene, world.bodies(), std::span(p.position).first(p.count), world.patch());
   std::sort(basins.begin(), basins.end(), [](const Basin& a, const Basin& b) { return a.surface > b.surface; });
   return basins;
 }

@@ -82,7 +82,7 @@ TEST(StaticBodies, AreSampledAmongTheWallsThatNeverMove) {
   EXPECT_EQ(world.bodies().states().size(), 1u) << "viewers draw it";
   for (std::size_t i = 0; i < world.fluid().particles.count; ++i) {
     const Float4& p = world.fluid().particles.position[i];
-    const Eigen::Vector3d x = Eigen::Vector3d(p.x, p.y, p.z) + world.origin() - Eigen::Vector3d(2.5, 2.0, 0.9);
+    const Eigen::Vector3d x = Eigen::Vector3d(p.x, p.y, p.z) + world.patch().origin - Eigen::Vector3d(2.5, 2.0, 0.9);
     EXPECT_GT(x.cwiseAbs().maxCoeff(), 0.5 - 0.25) << "a particle deep inside the block";
   }
 }
@@ -102,7 +102,7 @@ TEST(StaticBodies, SamplesOutOfTheWatersReachAreLeftOut) {
   // A quay of 9 m length, of which 1 m is in the tank of 5 m.
   const World world(basin_with({make_body(1, BoxShape{{9.0, 2.0, 2.0}}, {0.0, 2.0, 1.0}, BodyDrive::kStatic)}),
                     {1, nullptr, {}});
-  for (const Float4& sample : world.bodies().static_samples(Eigen::Vector3d::Zero())) EXPECT_GE(sample.x, -0.5F);
+  for (const Float4& sample : world.bodies().static_samples(PatchFrame{})) EXPECT_GE(sample.x, -0.5F);
 }
 
 TEST(StaticBodies, AnOpenSeaBedHoldsTheWater) {
@@ -116,7 +116,7 @@ TEST(StaticBodies, AnOpenSeaBedHoldsTheWater) {
   for (int step = 0; step < 100; ++step) ASSERT_EQ(world.advance().report.not_finite, 0u);
   for (std::size_t i = 0; i < count; ++i) {
     const Float4& p = world.fluid().particles.position[i];
-    const Eigen::Vector3d x = Eigen::Vector3d(p.x, p.y, p.z) + world.origin();
+    const Eigen::Vector3d x = Eigen::Vector3d(p.x, p.y, p.z) + world.patch().origin;
     const double bed_level = 0.1 + (x.x() + 1.0) * 0.6 / 7.0;
     EXPECT_GT(x.z(), bed_level - 0.6 * 0.25) << "below its samples";
   }

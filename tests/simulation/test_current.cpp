@@ -252,7 +252,7 @@ TEST(CurrentInAChannel, GoesRoundABodyThatStands) {
   double behind = 0.0, beside = 0.0, count_behind = 0.0, count_beside = 0.0;
   const FluidParticles& p = world.fluid().particles;
   for (std::size_t i = 0; i < p.count; ++i) {
-    const Eigen::Vector3d x = Eigen::Vector3d(p.position[i].x, p.position[i].y, p.position[i].z) + world.origin();
+    const Eigen::Vector3d x = Eigen::Vector3d(p.position[i].x, p.position[i].y, p.position[i].z) + world.patch().origin;
     if (x.x() < 6.7 || x.x() > 7.7 || std::abs(x.z() - 1.0) > 0.5) continue;
     const bool in_lee = std::abs(x.y() - 2.0) < 0.4;
     (in_lee ? behind : beside) += static_cast<double>(p.velocity[i].x);

@@ -69,7 +69,7 @@ Leak leak_through(const std::vector<Block>& wall, double seconds) {
   Leak leak;
   const FluidParticles& p = world.fluid().particles;
   for (std::size_t i = 0; i < p.count; ++i) {
-    const double x = static_cast<double>(p.position[i].x) + world.origin().x();
+    const double x = static_cast<double>(p.position[i].x) + world.patch().origin.x();
     leak.inside += x > -0.28 && x < 0.28 ? 1 : 0;
     leak.behind += x >= 0.28 ? 1 : 0;
   }

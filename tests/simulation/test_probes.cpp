@@ -56,7 +56,7 @@ TEST(Probes, FollowASlopeAndItsNormal) {
   World world(scene, {1, nullptr, {}});
   const ProbeReading before = read_one(world);
   for (Float4& p : WorldTestAccess::fluid(world).particles.position)
-    p.z += 0.1F * (p.x + static_cast<float>(world.origin().x()) - 2.5F) + 0.125F;
+    p.z += 0.1F * (p.x + static_cast<float>(world.patch().origin.x()) - 2.5F) + 0.125F;
   const ProbeReading after = read_one(world);
   EXPECT_NEAR(after.height - before.height, 0.125, 0.02);
   EXPECT_NEAR(after.normal.x() / after.normal.z() - before.normal.x() / before.normal.z(), -0.1, 0.02);
@@ -72,7 +72,7 @@ TEST(Probes, ReadTheVelocityAtTheSurfaceOrWhereTheyAre) {
   World world(scene, {1, nullptr, {}});
   FluidParticles& p = WorldTestAccess::fluid(world).particles;
   for (std::size_t i = 0; i < p.count; ++i)
-    p.velocity[i] = {p.position[i].z + static_cast<float>(world.origin().z()), -0.2F, 0.0F, 0.0F};
+    p.velocity[i] = {p.position[i].z + static_cast<float>(world.patch().origin.z()), -0.2F, 0.0F, 0.0F};
   const std::vector<ProbeReading> readings = world.read_probes();
   ASSERT_EQ(readings.size(), 3U);
   EXPECT_NEAR(readings[0].velocity.x(), readings[0].height, 0.3);  // the mean of the topmost layers
@@ -109,7 +109,7 @@ TEST(Probes, SayWhereThereIsNoWater) {
 
 TEST(Probes, PlacesFarAwayOrNowhereAreDryAndCostNothing) {
   const World world(deep_basin(), {1, nullptr, {}});
-  const Eigen::Vector2d middle = (Eigen::Vector3d(2.5, 2.0, 0.0) - world.origin()).head<2>();
+  const Eigen::Vector2d middle = (Eigen::Vector3d(2.5, 2.0, 0.0) - world.patch().origin).head<2>();
   const double nowhere = std::numeric_limits<double>::quiet_NaN();
   const std::vector<SurfacePlace> places{{middle, {}}, {{9e4, -9e4}, {}}, {{nowhere, 0.0}, {}}};
   TaskPool pool(1);

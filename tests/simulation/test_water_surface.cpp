@@ -35,7 +35,7 @@ class WaterSurfaceTest : public testing::Test {
     max_ = {tank.max[0], tank.max[1]};
   }
   [[nodiscard]] SurfaceSite site(const PatchBlend& blend) const {
-    return {world_.origin(), world_.fluid().parameters.tank, blend};
+    return {world_.patch(), world_.fluid().parameters.tank, blend};
   }
   /// Places up to 8 m outside the tank.
   [[nodiscard]] std::vector<SurfacePlace> places(std::size_t count) const {
@@ -82,7 +82,7 @@ TEST_F(WaterSurfaceTest, ProbesOilAndWindReadTheSameHeight) {
 TEST_F(WaterSurfaceTest, IsTheParticlesInsideTheWavesOutsideAndBlendedOnce) {
   const PatchBlend blend = rim_blend(0.25, 12.0);
   WaterSurface surface(pool_, site(blend));
-  const WaveMoment moment = world_.sea().at(world_.time(), world_.origin().head<2>());
+  const WaveMoment moment = world_.sea().at(world_.time(), world_.patch().origin.head<2>());
   const std::vector<SurfacePlace> at = places(1000);
   const auto read = surface.read(world_.fluid(), world_.sea(), world_.time(), at);
   const auto water = surface.read_particles(world_.fluid(), at);
@@ -95,7 +95,7 @@ TEST_F(WaterSurfaceTest, IsTheParticlesInsideTheWavesOutsideAndBlendedOnce) {
     const auto x = static_cast<float>(at[k].local.x()), y = static_cast<float>(at[k].local.y());
     evaluate_displaced_surface(moment, {&x, 1}, {&y, 1},
                                {{&height, 1}, {&out[0], 1}, {&out[1], 1}, {&out[2], 1}, {&out[3], 1}, {&out[4], 1}});
-    const double waves = world_.water_level() - world_.origin().z() + static_cast<double>(height);
+    const double waves = world_.water_level() - world_.patch().origin.z() + static_cast<double>(height);
     EXPECT_NEAR(read[k].height, share * water[k].height + (1.0 - share) * waves, 1e-4);
     (share == 1.0 ? inside : share == 0.0 ? outside : mixed)++;
   }

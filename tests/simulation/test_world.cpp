@@ -115,7 +115,7 @@ TEST(World, WaterMakesRoomForAHullAndStaysOutOfIt) {
   EXPECT_EQ(world.fluid().particles.count, count);
   for (std::size_t i = 0; i < count; ++i) {
     const Float4& p = world.fluid().particles.position[i];
-    const Eigen::Vector3d x = Eigen::Vector3d(p.x, p.y, p.z) + world.origin() - Eigen::Vector3d(2.5, 2.0, 0.9);
+    const Eigen::Vector3d x = Eigen::Vector3d(p.x, p.y, p.z) + world.patch().origin - Eigen::Vector3d(2.5, 2.0, 0.9);
     // The samples stop water 0.6 spacings inside the surface less the usual distance of one spacing.
     EXPECT_GT(x.cwiseAbs().maxCoeff(), 0.5 - 0.25) << "a particle deep inside the hull";
   }

@@ -37,11 +37,11 @@ TEST(WorldOil, StartsWithItsBlocksAndPropertiesAndPublishesThePhase) {
 TEST(WorldOil, IsAtLeastAsViscousAsWaterThatHasToBe) {
   Scene scene = basin_with_oil();
   scene.solver = default_solver(SolverKind::kHybrid);
-  const FluidParameters parameters = fluid_parameters(scene, Eigen::Vector3d::Zero());
+  const FluidParameters parameters = fluid_parameters(scene, patch_frame(scene));
   EXPECT_GT(parameters.viscosity, 0.0);
   EXPECT_DOUBLE_EQ(parameters.oil->viscosity, 855.0 * parameters.viscosity);
   scene.oil->properties.viscosity = 1000.0;
-  EXPECT_EQ(fluid_parameters(scene, Eigen::Vector3d::Zero()).oil->viscosity, 1000.0);
+  EXPECT_EQ(fluid_parameters(scene, patch_frame(scene)).oil->viscosity, 1000.0);
 }
 
 TEST(WorldOil, AnEntryWithoutBlocksChangesNoBit) {

@@ -33,7 +33,7 @@ TEST(WorldWind, AnAnemometerReadsTheAirThatPushesTheSea) {
   int compared = 0;
   for (std::size_t i = 0; i < p.count; ++i) {
     const Eigen::Vector3d place =
-        world.origin() + Eigen::Vector3f(p.position[i].x, p.position[i].y, p.position[i].z).cast<double>();
+        world.patch().origin + Eigen::Vector3f(p.position[i].x, p.position[i].y, p.position[i].z).cast<double>();
     if (place.z() < 0.9) continue;  // the top layer
     const Eigen::Vector3d wind = air.velocity_at({place.x(), place.y(), world.water_level() + 10.0}, world.time());
     // All along the air's velocity (the pressures' part of the acceleration is nil: the corrected solver puts them into

@@ -8,7 +8,7 @@
 namespace pelagos {
 namespace {
 
-const AirSite kSite{.origin = {0, 0, 0}, .water_level = 0.5, .floor = 0.0, .seed = 4};
+const AirSite kSite{.frame = {}, .water_level = 0.5, .seed = 4};
 constexpr double kMast = 10.5;  // m, world: 10 m above the mean level, where the wind is as set
 
 WindSettings paper_wind() {
@@ -112,7 +112,7 @@ TEST(Air, FollowsTheLogProfileAboveTheMeanLevel) {
 
 TEST(Air, AnAnemometerAtTenMetresReadsWhatPushesTheSea) {
   AirSite site = kSite;
-  site.origin = {100, -50, -3};
+  site.frame.origin = {100, -50, -3};
   const Air air(site, paper_wind());
   const Eigen::Vector3d local(7.3, 2.1, air.local_level());
   EXPECT_EQ(air.velocity_at({107.3, -47.9, kMast}, 3.0), air.reference(air.at(3.0), local));

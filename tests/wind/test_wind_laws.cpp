@@ -14,9 +14,7 @@ namespace {
 constexpr double kSpacing = 0.05;
 constexpr double kStep = 0.0049975;  // s, 0.07 sqrt(d / g)
 
-WindSite site_of(double gravity = 9.81) {
-  return {{Eigen::Vector3d::Zero(), 0.475, 0.0, 4}, kSpacing, gravity, 1000.0};
-}
+WindSite site_of(double gravity = 9.81) { return {{PatchFrame{}, 0.475, 4}, kSpacing, gravity, 1000.0}; }
 
 WindSettings paper_wind() {
   WindSettings wind;

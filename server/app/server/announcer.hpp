@@ -26,6 +26,7 @@ class Announcer {
   }
   /// @param source  who caused it  @param text  one line for people
   void announce(const std::string& kind, const std::string& source, const std::string& text);
+  [[nodiscard]] std::uint64_t count() const { return events_; }  ///< of events so far
 
  private:
   void log(const Event& event);

@@ -59,8 +59,8 @@ ServerEnd SimulationLoop::run(const std::atomic<bool>& stop) {
     const std::uint64_t frame = world.frame();
     make_step();
     clock_.count_step();
-    if (!clock_.paused() && options_.paced && world.frame() != frame) pacer.wait_for(world.time());
     refresh_status();
+    if (!clock_.paused() && options_.paced && world.frame() != frame) pacer.wait_for(world.time());
   }
   parts_.announcer.announce("stop", "server", broken_ ? "stopped: values are not finite" : "stopped");
   put_up_status();
@@ -234,7 +234,8 @@ void SimulationLoop::refresh_status() {
   const std::int64_t now = monotonic_ns();
   parts_.recorder.flush(parts_.announcer);
   const bool rolled = window_.roll(now, status_);
-  if (rolled || now >= next_status_ns_) put_up_status();
+  const bool news = parts_.announcer.count() != announced_;  // whoever hears of it may ask
+  if (rolled || news || now >= next_status_ns_) put_up_status();
   watches_.look_at_poses(parts_.gate.pose_counters(), parts_.announcer);
   if (now < next_log_ns_) return;
   next_log_ns_ = now + kLogIntervalNs;
@@ -245,6 +246,7 @@ void SimulationLoop::refresh_status() {
 void SimulationLoop::put_up_status() {
   const World& world = parts_.world;
   next_status_ns_ = monotonic_ns() + kStatusIntervalNs;
+  announced_ = parts_.announcer.count();
   const PublisherCounters sent = parts_.publisher.counters();
   status_.step = world.step();
   status_.frame = world.frame();

@@ -81,6 +81,7 @@ class SimulationLoop {
   ServerStatus status_;
   StepReport last_report_;
   bool broken_ = false;
+  std::uint64_t announced_ = 0;  ///< events, when the status was last put up
   std::uint64_t effort_changes_ = 0, frames_filled_ = 0;
   double frame_busy_s_ = 0.0;  ///< spent on the frame that is being computed
   double surface_s_ = 0.0;

@@ -172,11 +172,11 @@ BodyShape load_body_shape(const std::string& path, const MeshOptions& options, d
   return shape;
 }
 
-void place_samples(const BodyShape& shape, const BodyState& state, const Eigen::Vector3d& origin,
-                   std::span<Float4> position, std::span<Float4> velocity) {
+void place_samples(const BodyShape& shape, const BodyState& state, const PatchFrame& patch, std::span<Float4> position,
+                   std::span<Float4> velocity) {
   assert(position.size() >= shape.samples.size() && velocity.size() >= shape.samples.size());
   const Eigen::Matrix3d rotation = state.orientation.toRotationMatrix();
-  const Eigen::Vector3d centre = state.position - origin;
+  const Eigen::Vector3d centre = patch.to_local(state.position);
   for (std::size_t n = 0; n < shape.samples.size(); ++n) {
     const Eigen::Vector3d arm = rotation * shape.samples[n].cast<double>();
     const Eigen::Vector3f place = (centre + arm).cast<float>();

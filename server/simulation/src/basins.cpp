@@ -41,10 +41,10 @@ struct Places {
   }
 };
 
-double highest(std::span<const Float4> position, const Eigen::Vector3d& origin) {
+double highest(std::span<const Float4> position, const PatchFrame& frame) {
   float top = 0.0F;
   for (const Float4& x : position) top = std::max(top, x.z);
-  return origin.z() + static_cast<double>(top);
+  return frame.world_height(static_cast<double>(top));
 }
 
 /// Without places where the tank has none or too many.
@@ -73,12 +73,11 @@ Places find_places(TaskPool& pool, const Scene& scene, const Bodies& bodies, dou
 }
 
 /// For each particle in a free place the lowest free place of its column below it; sorted.
-std::vector<std::uint32_t> drain(const Places& places, std::span<const Float4> position,
-                                 const Eigen::Vector3d& origin) {
+std::vector<std::uint32_t> drain(const Places& places, std::span<const Float4> position, const PatchFrame& frame) {
   std::vector<std::uint32_t> bottoms;
   bottoms.reserve(position.size());
   for (const Float4& x : position) {
-    std::size_t place = places.nearest(Eigen::Vector3d(x.x, x.y, x.z) + origin);
+    std::size_t place = places.nearest(frame.to_world(Eigen::Vector3d(x.x, x.y, x.z)));
     if (!places.free[place]) continue;
     while (place >= places.layer_size() && places.free[place - places.layer_size()]) place -= places.layer_size();
     bottoms.push_back(static_cast<std::uint32_t>(place));
@@ -214,16 +213,16 @@ double level_without_bodies(const Scene& scene) {
 }  // namespace
 
 std::vector<Basin> find_basins(TaskPool& pool, const Scene& scene, const Bodies& bodies,
-                               std::span<const Float4> position, const Eigen::Vector3d& origin) {
-  const Places places = find_places(pool, scene, bodies, highest(position, origin));
+                               std::span<const Float4> position, const PatchFrame& frame) {
+  const Places places = find_places(pool, scene, bodies, highest(position, frame));
   if (places.free.empty()) return {};
-  return Filling(places, drain(places, position, origin)).fill();
+  return Filling(places, drain(places, position, frame)).fill();
 }
 
 double rest_level(TaskPool& pool, const Scene& scene, const Bodies& bodies, std::span<const Float4> position,
-                  const Eigen::Vector3d& origin) {
+                  const PatchFrame& frame) {
   if (bodies.empty()) return level_without_bodies(scene);
-  const std::vector<Basin> basins = find_basins(pool, scene, bodies, position, origin);
+  const std::vector<Basin> basins = find_basins(pool, scene, bodies, position, frame);
   if (basins.empty()) return level_without_bodies(scene);
   return std::max_element(basins.begin(), basins.end(),
                           [](const Basin& a, const Basin& b) {

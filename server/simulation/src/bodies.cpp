@@ -140,11 +140,11 @@ void Bodies::add_samples(TaskPool& pool, const Scene& scene, double support_radi
   }
 }
 
-std::vector<Float4> Bodies::static_samples(const Eigen::Vector3d& origin) const {
+std::vector<Float4> Bodies::static_samples(const PatchFrame& frame) const {
   std::vector<Float4> samples;
   samples.reserve(static_.size());
   for (const StaticSample& sample : static_) {
-    const Eigen::Vector3f local = (sample.position - origin).cast<float>();
+    const Eigen::Vector3f local = frame.to_local(sample.position).cast<float>();
     samples.push_back({local.x(), local.y(), local.z(), sample.volume});
   }
   return samples;
@@ -198,7 +198,7 @@ std::vector<HoldReading> Bodies::holds() const {
   return holds;
 }
 
-void Bodies::measure_holds(const Eigen::Vector3d& origin, const FluidState& fluid) {
+void Bodies::measure_holds(const PatchFrame& frame, const FluidState& fluid) {
   const double volume = fluid.parameters.volume();
   for (Body& body : bodies_) {
     if (body.hold.empty()) continue;
@@ -206,7 +206,7 @@ void Bodies::measure_holds(const Eigen::Vector3d& origin, const FluidState& flui
     const FluidParticles& p = fluid.particles;
     for (std::size_t i = 0; i < p.count; ++i) {
       const Eigen::Vector3d x =
-          to_body(body.state, Eigen::Vector3d(p.position[i].x, p.position[i].y, p.position[i].z) + origin);
+          to_body(body.state, frame.to_world(Eigen::Vector3d(p.position[i].x, p.position[i].y, p.position[i].z)));
       if (!body.hold.contains(x)) continue;
       body.hold_water.volume += volume;
       body.hold_water.moment += volume * x;
@@ -265,7 +265,7 @@ bool Bodies::accept(const BodyPose& pose, double now) {
   return false;
 }
 
-void Bodies::advance(double now, double dt, const Eigen::Vector3d& origin, FluidState& fluid) {
+void Bodies::advance(double now, double dt, const PatchFrame& frame, FluidState& fluid) {
   const FreeBody::Order order =
       fluid.parameters.scheme == Scheme::kCorrected ? FreeBody::Order::kDriftFirst : FreeBody::Order::kGravityFirst;
   for (Body& body : bodies_) {
@@ -274,16 +274,16 @@ void Bodies::advance(double now, double dt, const Eigen::Vector3d& origin, Fluid
     if (body.driven) body.state = body.driven->advance(dt, now);
     body.held = body.free && now < body.settings.free_from;
     if (body.gives_way()) {
-      if (body.driven && !is_over(fluid.parameters.tank, body.state.position - origin))
+      if (body.driven && !is_over(fluid.parameters.tank, frame.to_local(body.state.position)))
         body.free->rest();
       else
         body.free->predict(dt, fluid.parameters.gravity, order);
       if (body.driven) body.free->lead(body.state);
       body.free->write_to(body.state);
     }
-    if (body.driven && body.driven->jumps() != jumps) relocate_water(body, before, origin, fluid);
+    if (body.driven && body.driven->jumps() != jumps) relocate_water(body, before, frame, fluid);
   }
-  place(origin, fluid);
+  place(frame, fluid);
 }
 
 void Bodies::receive(double dt, const FluidState& fluid) {
@@ -339,15 +339,15 @@ void Bodies::touch(double dt) {
       body.free->take(still, still, contacts_->velocity(body.hull), contacts_->angular_velocity(body.hull));
 }
 
-std::vector<BodyLoad> Bodies::take_loads(const Eigen::Vector3d& origin, const FluidState& fluid, WaterSurface& surface,
+std::vector<BodyLoad> Bodies::take_loads(const PatchFrame& frame, const FluidState& fluid, WaterSurface& surface,
                                          double still_level) {
   std::vector<BodyLoad> loads;
-  measure_holds(origin, fluid);
+  measure_holds(frame, fluid);
   if (volumes_.empty()) return loads;
   std::vector<SurfacePlace> places;
   for (const Body& body : bodies_)
     if (body.moves())
-      for (const SurfacePlace& place : ring_around(body.shape, body.state, origin)) places.push_back(place);
+      for (const SurfacePlace& place : ring_around(body.shape, body.state, frame)) places.push_back(place);
   const std::vector<SurfaceReading> readings = surface.read_particles(fluid, places);
   const std::size_t ring = places.size() / fluid.coupling.bodies.size();
   std::size_t first = 0;
@@ -358,7 +358,7 @@ std::vector<BodyLoad> Bodies::take_loads(const Eigen::Vector3d& origin, const Fl
     if (body.free) load.point = body.free->mass().centre;
     body.meter.take(load);
     const WaterPlane water = water_around(std::span(places).subspan(first, ring),
-                                          std::span(readings).subspan(first, ring), body.state, origin, still_level);
+                                          std::span(readings).subspan(first, ring), body.state, frame, still_level);
     first += ring;
     const double weight_density = fluid.parameters.rest_density * fluid.parameters.gravity;
     measure_buoyancy(body.shape, water, weight_density, load);
@@ -374,25 +374,25 @@ bool Bodies::finite() const {
   });
 }
 
-void Bodies::place(const Eigen::Vector3d& origin, FluidState& fluid) const {
+void Bodies::place(const PatchFrame& frame, FluidState& fluid) const {
   fluid.moving_position.resize(volumes_.size());
   fluid.moving_velocity.resize(volumes_.size());
   fluid.coupling.bodies.clear();
   for (const Body& body : bodies_) {
     if (!body.moves()) continue;
     const std::size_t count = body.shape.samples.size();
-    place_samples(body.shape, body.state, origin, std::span(fluid.moving_position).subspan(body.first_sample, count),
+    place_samples(body.shape, body.state, frame, std::span(fluid.moving_position).subspan(body.first_sample, count),
                   std::span(fluid.moving_velocity).subspan(body.first_sample, count));
-    fluid.coupling.bodies.push_back(coupled_body(body, origin));
+    fluid.coupling.bodies.push_back(coupled_body(body, frame));
   }
   for (std::size_t k = 0; k < volumes_.size(); ++k) fluid.moving_position[k].w = volumes_[k];
 }
 
-CoupledBody Bodies::coupled_body(const Body& body, const Eigen::Vector3d& origin) {
+CoupledBody Bodies::coupled_body(const Body& body, const PatchFrame& frame) {
   CoupledBody coupled;
   coupled.first_sample = body.first_sample;
   coupled.sample_count = body.shape.samples.size();
-  coupled.centre = (body.free ? body.free->centre() : body.state.position) - origin;
+  coupled.centre = frame.to_local(body.free ? body.free->centre() : body.state.position);
   if (body.held) return coupled;
   coupled.velocity = body.free ? body.free->velocity() : body.state.velocity;
   coupled.angular_velocity = body.state.angular_velocity;
@@ -422,16 +422,16 @@ std::vector<BodyState> Bodies::states() const {
   return states;
 }
 
-void Bodies::relocate_water(const Body& body, const BodyState& before, const Eigen::Vector3d& origin,
+void Bodies::relocate_water(const Body& body, const BodyState& before, const PatchFrame& frame,
                             FluidState& fluid) const {
   FluidParticles& p = fluid.particles;
   for (std::size_t i = 0; i < p.count; ++i) {
-    Eigen::Vector3d x = Eigen::Vector3d(p.position[i].x, p.position[i].y, p.position[i].z) + origin;
+    Eigen::Vector3d x = frame.to_world(Eigen::Vector3d(p.position[i].x, p.position[i].y, p.position[i].z));
     bool moved = false;
     for (int k = 0; k < kRelocations && body.shape.inside(to_body(body.state, x)); ++k, moved = true)
       x = to_world(before, to_body(body.state, x));
     if (!moved) continue;
-    const Eigen::Vector3f local = (x - origin).cast<float>();
+    const Eigen::Vector3f local = frame.to_local(x).cast<float>();
     p.position[i] = {local.x(), local.y(), local.z(), 0.0F};
     p.velocity[i] = p.acceleration[i] = {};
     p.density_pressure[i] = p.divergence_pressure[i] = 0.0F;
@@ -454,13 +454,13 @@ bool Bodies::accepts(const BodiesState& state) const {
                     });
 }
 
-void Bodies::restore(const BodiesState& state, const Eigen::Vector3d& origin, FluidState& fluid) {
+void Bodies::restore(const BodiesState& state, const PatchFrame& frame, FluidState& fluid) {
   assert(accepts(state));
   for (std::size_t i = 0; i < bodies_.size(); ++i) static_cast<BodyDynamics&>(bodies_[i]) = state.bodies[i];
   surface_drift_ = state.drift;
   if (bodies_.empty()) return;
-  place(origin, fluid);
-  measure_holds(origin, fluid);
+  place(frame, fluid);
+  measure_holds(frame, fluid);
   if (!contacts_) return;
   place_contacts();
   contacts_->restore(state.contacts);

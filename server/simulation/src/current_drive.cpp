@@ -26,12 +26,12 @@ double CurrentDrive::full_row(const Scene& scene, std::size_t particles) const {
   return scene.bodies.empty() ? row : std::min(row, static_cast<double>(particles) / static_cast<double>(rows_));
 }
 
-CurrentDrive::CurrentDrive(const Scene& scene, const Eigen::Vector3d& origin, double water_level, std::size_t particles)
+CurrentDrive::CurrentDrive(const Scene& scene, const PatchFrame& frame, double water_level, std::size_t particles)
     : spacing_(scene.particle_spacing) {
   for (std::size_t axis = 0; axis < 2; ++axis) moves_[axis] = scene.tank_edges[axis] == TankEdge::kPeriodic;
   // Rows stand at d/2, 3d/2, ... above `floor_`, so no row lies on the edge of a layer.
-  floor_ = scene.tank.min.z() - origin.z() + (lattice_offset(scene.tank_edges[2]) - 0.5) * spacing_;
-  depth_ = water_level - origin.z() - floor_;
+  floor_ = frame.local_height(scene.tank.min.z()) + (lattice_offset(scene.tank_edges[2]) - 0.5) * spacing_;
+  depth_ = frame.local_height(water_level) - floor_;
   rows_ = static_cast<std::size_t>(std::max(1.0, std::round(depth_ / spacing_ + kRounding)));
   layer_rows_ = std::max(kLayerRows, (rows_ + kMostLayers - 1) / kMostLayers);
   full_ = full_row(scene, particles) * static_cast<double>(layer_rows_);

@@ -69,7 +69,7 @@ PhaseParameters phase_parameters(const OilProperties& oil, double water_viscosit
 }
 
 /// Adds the local positions of a block's particles, those inside hulls left out.
-void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, const Eigen::Vector3d& origin,
+void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, const PatchFrame& frame,
                 std::vector<Float4>& positions) {
   const double d = scene.particle_spacing;
   const auto counts = lattice_counts(block, d, scene.tank_edges);
@@ -82,14 +82,15 @@ void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, cons
         const Eigen::Vector3d x =
             first + d * Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
         if (!bodies.empty() && (bodies.covers(x, kHullClearance * d) || bodies.keeps_dry(x))) continue;
-        const Eigen::Vector3f local = (x - origin).cast<float>();
+        const Eigen::Vector3f local = frame.to_local(x).cast<float>();
         positions.push_back({local.x(), local.y(), local.z(), 0.0F});
       }
 }
 
 }  // namespace
 
-FluidParameters fluid_parameters(const Scene& scene, const Eigen::Vector3d& origin) {
+FluidParameters fluid_parameters(const Scene& scene, const PatchFrame& frame) {
+  const Box box = frame.local_box();
   FluidParameters p;
   p.spacing = scene.particle_spacing;
   p.support_radius = scene.support_radius * p.spacing;
@@ -99,8 +100,8 @@ FluidParameters fluid_parameters(const Scene& scene, const Eigen::Vector3d& orig
   if (scene.oil && scene.oil->model != OilModel::kSlick) p.oil = phase_parameters(scene.oil->properties, p.viscosity);
   p.gravity = scene.gravity;
   for (int axis = 0; axis < 3; ++axis) {
-    p.tank.min[axis] = static_cast<float>(scene.tank.min[axis] - origin[axis]);
-    p.tank.max[axis] = static_cast<float>(scene.tank.max[axis] - origin[axis]);
+    p.tank.min[axis] = static_cast<float>(box.min[axis]);
+    p.tank.max[axis] = static_cast<float>(box.max[axis]);
   }
   for (std::size_t axis = 0; axis < 3; ++axis) p.edges[axis] = edge_of(scene.tank_edges[axis]);
   apply_solver(scene.solver, p);
@@ -121,12 +122,12 @@ double largest_time_step(const Scene& scene) {
   return usual * depth_measures(scheme_of(scene.solver.kind), depth_in_spacings(scene)).step_factor;
 }
 
-StartingParticles place_blocks(const Scene& scene, const Bodies& bodies, const Eigen::Vector3d& origin) {
+StartingParticles place_blocks(const Scene& scene, const Bodies& bodies, const PatchFrame& frame) {
   StartingParticles start;
-  for (const Box& block : scene.water.blocks) fill_block(scene, block, bodies, origin, start.position);
+  for (const Box& block : scene.water.blocks) fill_block(scene, block, bodies, frame, start.position);
   if (!scene.oil || scene.oil->model == OilModel::kSlick) return start;
   start.phase.assign(start.position.size(), kWaterPhase);
-  for (const Box& block : scene.oil->blocks) fill_block(scene, block, bodies, origin, start.position);
+  for (const Box& block : scene.oil->blocks) fill_block(scene, block, bodies, frame, start.position);
   start.phase.resize(start.position.size(), kOilPhase);
   return start;
 }

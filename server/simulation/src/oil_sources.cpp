@@ -26,7 +26,7 @@ void OilSpill::advance(double dt, const SpillSea& sea, FluidState& fluid) {
   run_sources(dt, sea, fluid);
   if (model_ == OilModel::kParticles) return;
   static_cast<void>(layer_.advance(
-      dt, SpillSurroundings(sea, origin_, *layer_.settings().patch, fallback_level_ + origin_.z(), spacing_)));
+      dt, SpillSurroundings(sea, frame_, *layer_.settings().patch, frame_.world_height(fallback_level_), spacing_)));
   since_exchange_ += dt;
   if (model_ != OilModel::kBoth || since_exchange_ < kExchangeInterval) return;
   since_exchange_ = 0.0;
@@ -76,14 +76,14 @@ SourceWait OilSpill::feed_film(Source& source, const SpillSea& sea) {
   const double mass = source.pending * oil_density_;
   if (!(mass >= 1e-6)) return SourceWait::kNone;
   const Eigen::Vector3d place = next_place(source, sea);
-  if (!in_patch(place.head<2>())) return SourceWait::kOutside;
+  if (!frame_.covers(place.head<2>())) return SourceWait::kOutside;
   if (dry(place, sea)) return SourceWait::kNoWater;
   if (!layer_.release(mass, place.head<2>(), spacing_)) source.pending = 0.0;
   return SourceWait::kNone;
 }
 
 bool OilSpill::dry(const Eigen::Vector3d& world, const SpillSea& sea) const {
-  return !sample_at(sea.surface, (world - origin_).head<2>()) && !sea.bodies.covers(world, 0.0);
+  return !sample_at(sea.surface, frame_.to_local(world).head<2>()) && !sea.bodies.covers(world, 0.0);
 }
 
 SourceWait OilSpill::make_particles(Source& source, const SpillSea& sea, FluidState& fluid) {
@@ -91,7 +91,7 @@ SourceWait OilSpill::make_particles(Source& source, const SpillSea& sea, FluidSt
   while (source.pending >= volume) {
     if (particles_ >= most_particles_) return SourceWait::kFull;
     const Eigen::Vector3d place = next_place(source, sea);
-    if (!turn_to_oil(fluid, place)) return in_patch(place.head<2>()) ? SourceWait::kNoWater : SourceWait::kOutside;
+    if (!turn_to_oil(fluid, place)) return frame_.covers(place.head<2>()) ? SourceWait::kNoWater : SourceWait::kOutside;
     source.pending -= volume;
     static_cast<void>(layer_.release_submerged(particle_mass()));
   }
@@ -100,7 +100,7 @@ SourceWait OilSpill::make_particles(Source& source, const SpillSea& sea, FluidSt
 
 bool OilSpill::turn_to_oil(FluidState& fluid, const Eigen::Vector3d& world) {
   FluidParticles& p = fluid.particles;
-  const Eigen::Vector3f place = (world - origin_).cast<float>();
+  const Eigen::Vector3f place = frame_.to_local(world).cast<float>();
   auto nearest = static_cast<float>(std::pow(kReach * spacing_, 2));
   std::size_t found = p.count;
   for (std::size_t i = 0; i < p.count; ++i) {
@@ -141,8 +141,8 @@ void OilSpill::thin_to_film(const SurfaceGrid& surface, FluidState& fluid) {
     if (oil[grid.index(a, b)] >= kFullCell / 2 || around >= kThinNeighbours) continue;
     const auto water = sample_at(surface, {static_cast<double>(x.x), static_cast<double>(x.y)});
     if (!water || static_cast<double>(x.z) < water->height - kTopLayer * spacing_) continue;  // on its way up
-    const Eigen::Vector2d place = origin_.head<2>() + Eigen::Vector2f(x.x, x.y).cast<double>();
-    if (!in_patch(place) || layer_.take(particle_mass(), place, radius)) continue;
+    const Eigen::Vector2d place = frame_.to_world(Eigen::Vector2d(Eigen::Vector2f(x.x, x.y).cast<double>()));
+    if (!frame_.covers(place) || layer_.take(particle_mass(), place, radius)) continue;
     p.phase[i] = kWaterPhase;
     --particles_;
     --displaced_;
@@ -151,8 +151,8 @@ void OilSpill::thin_to_film(const SurfaceGrid& surface, FluidState& fluid) {
 
 void OilSpill::pile_to_particles(const SurfaceGrid& surface, FluidState& fluid) {
   for (const ReturnedOil& oil : layer_.give_back()) {
-    const auto water = sample_at(surface, oil.position - origin_.head<2>());
-    const double height = origin_.z() + (water ? water->height : fallback_level_) - 0.5 * spacing_;
+    const auto water = sample_at(surface, frame_.to_local(oil.position));
+    const double height = frame_.world_height(water ? water->height : fallback_level_) - 0.5 * spacing_;
     std::size_t left = oil.particles;
     while (left > 0 && particles_ < most_particles_ && turn_to_oil(fluid, {oil.position.x(), oil.position.y(), height}))
       --left;

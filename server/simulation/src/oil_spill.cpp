@@ -59,16 +59,15 @@ SlickSettings film_settings(const Scene& scene) {
 
 }  // namespace
 
-OilSpill::OilSpill(const Scene& scene, const FluidState& fluid, const Eigen::Vector3d& origin, double water_level)
+OilSpill::OilSpill(const Scene& scene, const FluidState& fluid, const PatchFrame& frame, double water_level)
     : model_(scene.oil->model),
-      origin_(origin),
-      patch_(scene.tank),
+      frame_(frame),
       spacing_(scene.particle_spacing),
       oil_density_(scene.oil->properties.density),
       water_density_(scene.water.rest_density),
       most_particles_(scene.oil->most_particles),
       layer_(film_settings(scene)),
-      fallback_level_(water_level - origin.z()) {
+      fallback_level_(frame.local_height(water_level)) {
   const auto& phase = fluid.particles.phase;
   const auto end = phase.begin() + static_cast<std::ptrdiff_t>(std::min(phase.size(), fluid.particles.count));
   particles_ = static_cast<std::uint32_t>(std::count(phase.begin(), end, kOilPhase));
@@ -78,10 +77,6 @@ OilSpill::OilSpill(const Scene& scene, const FluidState& fluid, const Eigen::Vec
 
 double OilSpill::particle_mass() const {
   return to_kilograms(to_milligrams(oil_density_ * spacing_ * spacing_ * spacing_));
-}
-
-bool OilSpill::in_patch(const Eigen::Vector2d& place) const {
-  return (place.array() >= patch_.min.head<2>().array()).all() && (place.array() <= patch_.max.head<2>().array()).all();
 }
 
 std::optional<Misfit> OilSpill::apply(const ReleaseOil& c, const Bodies& hulls) {

@@ -3,7 +3,7 @@
 namespace pelagos {
 
 std::vector<ProbeReading> Probes::read(const FluidState& fluid, WaterSurface& surface, const WaveField& sea,
-                                       const Bodies& bodies, const Eigen::Vector3d& origin,
+                                       const Bodies& bodies, const PatchFrame& frame,
                                        const std::optional<Current>& current, double time) const {
   std::vector<ProbeReading> readings;
   std::vector<SurfacePlace> places;
@@ -15,14 +15,14 @@ std::vector<ProbeReading> Probes::read(const FluidState& fluid, WaterSurface& su
     if (const auto carrier = bodies.state_of(probe.body))
       reading.position = carrier->orientation * probe.position + carrier->position;
     SurfacePlace& place = places.emplace_back();
-    place.local = (reading.position - origin).head<2>();
-    if (!probe.at_surface) place.height = reading.position.z() - origin.z();
+    place.local = frame.to_local(reading.position).head<2>();
+    if (!probe.at_surface) place.height = frame.local_height(reading.position.z());
   }
   const std::vector<SurfaceReading> water = surface.read(fluid, sea, time, places);
   for (std::size_t k = 0; k < readings.size(); ++k) {
     readings[k].wet = water[k].wet;
     if (!water[k].wet) continue;
-    readings[k].height = water[k].height + origin.z();
+    readings[k].height = frame.world_height(water[k].height);
     readings[k].normal = water[k].normal;
     readings[k].velocity = water[k].velocity;
     if (!current) continue;

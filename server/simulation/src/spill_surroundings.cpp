@@ -32,10 +32,10 @@ Eigen::Vector2d SpillSurroundings::current_in_water(const Eigen::Vector2d& posit
 
 SurfaceState SpillSurroundings::at(const Eigen::Vector2d& position, const Air::Moment* moment) const {
   SurfaceState state;
-  const Eigen::Vector2d local = position - origin_.head<2>();
+  const Eigen::Vector2d local = frame_.to_local(position);
   const auto surface = sample_at(sea_.surface, local);
   state.water = surface.has_value();
-  state.height = surface ? surface->height + origin_.z() : level_;
+  state.height = surface ? frame_.world_height(surface->height) : level_;
   if (surface) state.water_velocity = surface->velocity.head<2>();
   if (sea_.current != nullptr)
     state.water_velocity +=
@@ -62,7 +62,7 @@ void SpillSurroundings::find_way_out(const Eigen::Vector2d& position, SurfaceSta
   }
   if (!state.water) return;  // it lies dry, and stays
   const auto is_wet = [&](const Eigen::Vector2d& place) {
-    return sample_at(sea_.surface, place - origin_.head<2>()).has_value();
+    return sample_at(sea_.surface, frame_.to_local(place)).has_value();
   };
   if (const auto way = water.way_out(position, state.water_velocity, is_wet)) state.way_out = *way;
 }

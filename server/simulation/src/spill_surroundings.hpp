@@ -3,6 +3,7 @@
 #include "oil/slick_surroundings.hpp"
 #include "simulation/oil_spill.hpp"
 #include "simulation/open_water.hpp"
+#include "values/patch_frame.hpp"
 
 namespace pelagos {
 
@@ -18,9 +19,8 @@ class SpillSurroundings : public SlickSurroundings {
  public:
   /// @param level    m, world: the water's at rest
   /// @param spacing  m, d
-  SpillSurroundings(const SpillSea& sea, const Eigen::Vector3d& origin, const SlickPatch& patch, double level,
-                    double spacing)
-      : sea_(sea), origin_(origin), patch_(patch), level_(level), spacing_(spacing) {}
+  SpillSurroundings(const SpillSea& sea, const PatchFrame& frame, const SlickPatch& patch, double level, double spacing)
+      : sea_(sea), frame_(frame), patch_(patch), level_(level), spacing_(spacing) {}
 
   void sample(std::span<const Eigen::Vector2d> positions, std::span<SurfaceState> states) const override;
   [[nodiscard]] Eigen::Vector2d go(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
@@ -33,7 +33,7 @@ class SpillSurroundings : public SlickSurroundings {
   void find_way_out(const Eigen::Vector2d& position, SurfaceState& state) const;
 
   const SpillSea& sea_;
-  const Eigen::Vector3d& origin_;
+  const PatchFrame& frame_;
   const SlickPatch& patch_;
   double level_, spacing_;
 };

@@ -48,13 +48,13 @@ const SurfaceGrid& WaterSurface::grid_with_velocities(const FluidState& fluid) {
 }
 
 SurfaceReading WaterSurface::read_waves(const WaveMoment& moment, const SurfacePlace& place) const {
-  const Eigen::Vector2f at = (place.local + site_.origin.head<2>() - moment.anchor).cast<float>();
+  const Eigen::Vector2f at = (site_.frame.to_world(place.local) - moment.anchor).cast<float>();
   float height = 0, slope_x = 0, slope_y = 0;
   Eigen::Vector3f velocity;
   evaluate_displaced_surface(
       moment, {&at.x(), 1}, {&at.y(), 1},
       {{&height, 1}, {&slope_x, 1}, {&slope_y, 1}, {&velocity.x(), 1}, {&velocity.y(), 1}, {&velocity.z(), 1}});
-  const double level = moment.level - site_.origin.z();
+  const double level = site_.frame.local_height(moment.level);
   SurfaceReading reading;
   reading.wet = true;
   reading.share = 0.0;
@@ -87,7 +87,7 @@ std::vector<SurfaceReading> WaterSurface::read(const FluidState& fluid, const Wa
     const double share = patch_weight(site_.blend, min, max, place.local);
     if (share > 0.0) reading = columns(fluid).read(place);
     if (share == 1.0) continue;
-    if (!moment) moment = sea.at(time, 0.5 * (min + max) + site_.origin.head<2>());
+    if (!moment) moment = sea.at(time, site_.frame.to_world(Eigen::Vector2d(0.5 * (min + max))));
     const SurfaceReading waves = read_waves(*moment, place);
     reading = reading.wet && share > 0.0 ? blend(reading, waves, share) : waves;
   }

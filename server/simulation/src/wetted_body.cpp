@@ -12,11 +12,11 @@ constexpr int kRingPlaces = 32;
 constexpr double kRingWidth = 1.1;  ///< of the body's own half width: the ring runs just outside
 
 /// The box around a body, local.
-Eigen::AlignedBox3d box_of(const BodyShape& shape, const BodyState& state, const Eigen::Vector3d& origin) {
+Eigen::AlignedBox3d box_of(const BodyShape& shape, const BodyState& state, const PatchFrame& frame) {
   Eigen::AlignedBox3d box;
   for (int corner = 0; corner < 8; ++corner)
     box.extend(state.orientation * shape.bounding_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) +
-               state.position - origin);
+               frame.to_local(state.position));
   return box;
 }
 
@@ -41,8 +41,8 @@ FittedPlane fit_plane(const std::vector<Eigen::Vector3d>& points) {
 
 }  // namespace
 
-std::vector<SurfacePlace> ring_around(const BodyShape& shape, const BodyState& state, const Eigen::Vector3d& origin) {
-  const Eigen::AlignedBox3d box = box_of(shape, state, origin);
+std::vector<SurfacePlace> ring_around(const BodyShape& shape, const BodyState& state, const PatchFrame& frame) {
+  const Eigen::AlignedBox3d box = box_of(shape, state, frame);
   const Eigen::Vector2d middle = box.center().head<2>();
   const Eigen::Vector2d half = kRingWidth * std::numbers::sqrt2 * 0.5 * box.sizes().head<2>();
   std::vector<SurfacePlace> places;
@@ -54,7 +54,7 @@ std::vector<SurfacePlace> ring_around(const BodyShape& shape, const BodyState& s
 }
 
 WaterPlane water_around(std::span<const SurfacePlace> ring, std::span<const SurfaceReading> readings,
-                        const BodyState& state, const Eigen::Vector3d& origin, double still_level) {
+                        const BodyState& state, const PatchFrame& frame, double still_level) {
   std::vector<Eigen::Vector3d> points;
   for (std::size_t k = 0; k < ring.size(); ++k)
     if (readings[k].wet) points.emplace_back(ring[k].local.x(), ring[k].local.y(), readings[k].height);
@@ -64,7 +64,7 @@ WaterPlane water_around(std::span<const SurfacePlace> ring, std::span<const Surf
   else
     plane = fit_plane(points);
   const Eigen::Vector3d up = Eigen::Vector3d(-plane.slope.x(), -plane.slope.y(), 1.0).normalized();
-  return {state.orientation.conjugate() * up, up.dot(plane.middle + origin - state.position)};
+  return {state.orientation.conjugate() * up, up.dot(frame.to_world(plane.middle) - state.position)};
 }
 
 void measure_buoyancy(const BodyShape& shape, const WaterPlane& water, double weight_density, BodyLoad& load) {

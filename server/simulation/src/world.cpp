@@ -29,24 +29,18 @@ constexpr std::size_t kMostNotes = 32;  ///< about the start
 
 constexpr int kSettleChunk = 10;  ///< steps between reports of progress
 
-/// Local zero: the middle of the tank's floor area at its lower z, so that floats keep their digits near the ship.
-Eigen::Vector3d choose_origin(const Scene& scene) {
-  const Eigen::Vector3d middle = 0.5 * (scene.tank.min + scene.tank.max);
-  return {middle.x(), middle.y(), scene.tank.min.z()};
-}
-
 Bodies make_bodies(TaskPool& pool, const Scene& scene) {
   std::vector<std::string> faults;
-  Bodies bodies(pool, scene, fluid_parameters(scene, Eigen::Vector3d::Zero()).support_radius, faults);
+  Bodies bodies(pool, scene, fluid_parameters(scene, patch_frame(scene)).support_radius, faults);
   if (faults.empty()) return bodies;
   std::string text;
   for (const std::string& fault : faults) text += (text.empty() ? "" : "\n") + fault;
   throw std::invalid_argument(text);
 }
 
-FluidState make_start(TaskPool& pool, const Scene& scene, const Bodies& bodies, const Eigen::Vector3d& origin) {
-  const StartingParticles start = place_blocks(scene, bodies, origin);
-  return make_fluid(pool, fluid_parameters(scene, origin), start.position, start.phase);
+FluidState make_start(TaskPool& pool, const Scene& scene, const Bodies& bodies, const PatchFrame& frame) {
+  const StartingParticles start = place_blocks(scene, bodies, frame);
+  return make_fluid(pool, fluid_parameters(scene, frame), start.position, start.phase);
 }
 
 WaveField make_sea(const Scene& scene, double water_level) {
@@ -71,31 +65,31 @@ World::World(const Scene& scene, const WorldOptions& options)
       site_(command_site(scene)),
       options_(options),
       pool_(std::make_unique<TaskPool>(std::max(1, options.threads))),
-      origin_(choose_origin(scene)),
+      frame_(patch_frame(scene)),
       clock_(scene.frame_interval),
       bodies_(make_bodies(*pool_, scene)),
-      fluid_(make_start(*pool_, scene, bodies_, origin_)),
+      fluid_(make_start(*pool_, scene, bodies_, frame_)),
       water_level_(rest_level(*pool_, scene, bodies_,
-                              std::span(fluid_.particles.position).first(fluid_.particles.count), origin_)),
+                              std::span(fluid_.particles.position).first(fluid_.particles.count), frame_)),
       sea_(make_sea(scene, water_level_)),
-      water_surface_(*pool_, {origin_, fluid_.parameters.tank, {}}),
-      drive_(scene, origin_, water_level_, fluid_.particles.count),
+      water_surface_(*pool_, {frame_, fluid_.parameters.tank, {}}),
+      drive_(scene, frame_, water_level_, fluid_.particles.count),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
       max_step_(largest_time_step(scene)) {
   if (!bodies_.empty()) {
-    add_static_walls(*pool_, fluid_, bodies_.static_samples(origin_));
-    bodies_.place(origin_, fluid_);
+    add_static_walls(*pool_, fluid_, bodies_.static_samples(frame_));
+    bodies_.place(frame_, fluid_);
   }
   for (const ProbeSettings& probe : scene_.probes)
     if (const auto outcome = apply(SetProbe{probe}); outcome.refusal)
       throw std::invalid_argument("probe " + std::to_string(probe.id) + ": " + to_string(*outcome.refusal));
-  if (scene_.wind) wind_.emplace(wind_site(scene_, origin_, water_level_), *scene_.wind);
+  if (scene_.wind) wind_.emplace(wind_site(scene_, frame_, water_level_), *scene_.wind);
   note_start();
   settle();
   for (std::size_t i = 0; i < fluid_.particles.count; ++i)
     fluid_.particles.acceleration[i] = {0.0F, 0.0F, static_cast<float>(-scene_.gravity), 0.0F};
   if (scene_.current) start_current();
-  if (scene_.oil) spill_.emplace(scene_, fluid_, origin_, water_level_);
+  if (scene_.oil) spill_.emplace(scene_, fluid_, frame_, water_level_);
   keep_recovery_point();
 }
 
@@ -117,7 +111,7 @@ StepFault World::recover() {
 
 void World::note_start() {
   if (bodies_.empty()) return;
-  bodies_.measure_holds(origin_, fluid_);
+  bodies_.measure_holds(frame_, fluid_);
   start_notes_ = bodies_.hold_notes(water_level_);
   for (std::string& note : bodies_.contact_notes()) start_notes_.push_back(std::move(note));
   for (std::string& note :
@@ -165,7 +159,7 @@ WaterStepParts World::step_parts(double now, double dt) {
   if (!bodies_.empty()) {
     parts.place_bodies = [this, now, dt](StepReport& report) {
       const StageScope scope(report.times, options_.clock, Stage::kBodies);
-      bodies_.advance(now, dt, origin_, fluid_);
+      bodies_.advance(now, dt, frame_, fluid_);
     };
   }
   parts.receive_bodies = [this, now, dt](StepReport& report) {
@@ -206,7 +200,7 @@ double World::choose_step() const {
 void World::take_frame(Snapshot& snapshot, StepReport& report) {
   const StageScope scope(report.times, options_.clock, Stage::kSurface);
   fill(snapshot);
-  snapshot.loads = bodies_.take_loads(origin_, fluid_, water_surface_, water_level_ - origin_.z());
+  snapshot.loads = bodies_.take_loads(frame_, fluid_, water_surface_, frame_.local_height(water_level_));
   const SurfaceInput input = surface_input(fluid_, clock_.time());
   surface_.detect(input, *pool_);
   surface_.shape(input, *pool_, snapshot.particles);
@@ -227,7 +221,7 @@ void World::look(Snapshot& snapshot) const {
 void World::fill(Snapshot& snapshot) const {
   snapshot.frame = clock_.frame();
   snapshot.simulation_time = clock_.time();
-  snapshot.origin = origin_;
+  snapshot.origin = frame_.origin;
   snapshot.total_particles = static_cast<std::uint32_t>(fluid_.particles.count);
   snapshot.bodies = bodies_.states();
   snapshot.probes = read_probes();
@@ -237,7 +231,7 @@ void World::fill(Snapshot& snapshot) const {
 
 std::vector<ProbeReading> World::read_probes() const {
   std::vector<ProbeReading> readings =
-      probes_.read(fluid_, water_surface_, sea_, bodies_, origin_, current_.running, clock_.time());
+      probes_.read(fluid_, water_surface_, sea_, bodies_, frame_, current_.running, clock_.time());
   if (wind_)
     for (ProbeReading& reading : readings) reading.air = wind_->air().velocity_at(reading.position, clock_.time());
   return readings;
@@ -269,10 +263,10 @@ void World::restore(const WorldState& state) {
   step_ = state.step;
   clock_ = state.clock;
   restore_water(fluid_, state.water);
-  bodies_.restore(state.bodies, origin_, fluid_);
+  bodies_.restore(state.bodies, frame_, fluid_);
   if (spill_) spill_->restore(*state.oil);
   wind_.reset();
-  if (state.wind) wind_.emplace(wind_site(scene_, origin_, water_level_), *state.wind);
+  if (state.wind) wind_.emplace(wind_site(scene_, frame_, water_level_), *state.wind);
   current_ = state.current;
   probes_.restore(state.probes);
   surface_.restore_foam(state.foam);

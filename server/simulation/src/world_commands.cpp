@@ -109,7 +109,8 @@ void World::advance_oil(double dt, double time, StepReport& report) {
   const StageScope scope(report.times, options_.clock, Stage::kOil);
   static const SurfaceGrid nothing;
   const SurfaceGrid& surface = spill_->asks_surface() ? water_surface_.grid_with_velocities(fluid_) : nothing;
-  const SpillSea sea{bodies_, surface, wind_ ? &wind_->air() : nullptr, current_.running ? &*current_.running : nullptr, time};
+  const SpillSea sea{bodies_, surface, wind_ ? &wind_->air() : nullptr, current_.running ? &*current_.running : nullptr,
+                     time};
   spill_->advance(dt, sea, fluid_);
 }
 
@@ -124,7 +125,7 @@ std::optional<Misfit> World::set_wind(const SetWind& command) {
     WindSettings calm = wind;
     calm.velocity.setZero();
     calm.amplitude = 0.0;
-    wind_.emplace(wind_site(scene_, origin_, water_level_), calm, clock_.time());
+    wind_.emplace(wind_site(scene_, frame_, water_level_), calm, clock_.time());
   }
   wind_->set(wind, clock_.time(), command.ramp_seconds);
   return {};
@@ -175,7 +176,7 @@ void World::start_current() {
   FluidParticles& p = fluid_.particles;
   if (drive_.any()) drive_.start(*pool_, *current_.running, clock_.time(), p.position, p.count, p.velocity);
   bodies_.start_drift(*current_.running, clock_.time(), water_level_, fluid_.parameters.rest_density);
-  if (!bodies_.empty()) bodies_.place(origin_, fluid_);
+  if (!bodies_.empty()) bodies_.place(frame_, fluid_);
   largest_speed_ = measure().largest_speed;
 }
 

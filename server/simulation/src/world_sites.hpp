@@ -1,16 +1,14 @@
 #pragma once
 
+#include "values/patch_frame.hpp"
 #include "values/scene.hpp"
 #include "wind/wind.hpp"
 
 namespace pelagos {
 
-/// What the wind needs to know of a scene. @param origin  m, world: local zero  @param water_level  m, world
-inline WindSite wind_site(const Scene& scene, const Eigen::Vector3d& origin, double water_level) {
-  return {{origin, water_level, scene.tank.min.z(), scene.seed},
-          scene.particle_spacing,
-          scene.gravity,
-          scene.water.rest_density};
+/// What the wind needs to know of a scene. @param frame  of the patch  @param water_level  m, world
+inline WindSite wind_site(const Scene& scene, const PatchFrame& frame, double water_level) {
+  return {{frame, water_level, scene.seed}, scene.particle_spacing, scene.gravity, scene.water.rest_density};
 }
 
 }  // namespace pelagos

@@ -105,7 +105,7 @@ Eigen::Vector3d Air::velocity_at(const Eigen::Vector3d& position, double time) c
   const Moment moment = at(time);
   const double profile = log_profile(position.z() - site_.water_level, moment.wind.roughness);
   if (profile == 0.0) return Eigen::Vector3d::Zero();
-  const Eigen::Vector3d local = position - site_.origin;
+  const Eigen::Vector3d local = site_.frame.to_local(position);
   return profile * reference(moment, {local.x(), local.y(), local_level()});
 }
 

@@ -91,8 +91,9 @@ Snapshot take_snapshot(const World& world, double y) {
   const FluidParticles& p = world.fluid().particles;
   for (std::size_t i = 0; i < p.count; ++i) {
     const Float4 &x = p.position[i], &v = p.velocity[i];
-    if (std::abs(static_cast<double>(x.y) + world.origin().y() - y) > 1.5 * world.scene().particle_spacing) continue;
-    snapshot.points.push_back({static_cast<double>(x.x) + world.origin().x(), static_cast<double>(x.z),
+    if (std::abs(static_cast<double>(x.y) + world.patch().origin.y() - y) > 1.5 * world.scene().particle_spacing)
+      continue;
+    snapshot.points.push_back({static_cast<double>(x.x) + world.patch().origin.x(), static_cast<double>(x.z),
                                static_cast<double>(std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z))});
   }
   return snapshot;
@@ -104,8 +105,8 @@ double run_up(const World& world) {
   const FluidParticles& p = world.fluid().particles;
   std::vector<float> heights;
   for (std::size_t i = 0; i < p.count; ++i) {
-    const Eigen::Vector2d place(static_cast<double>(p.position[i].x) + world.origin().x(),
-                                static_cast<double>(p.position[i].y) + world.origin().y());
+    const Eigen::Vector2d place(static_cast<double>(p.position[i].x) + world.patch().origin.x(),
+                                static_cast<double>(p.position[i].y) + world.patch().origin.y());
     if ((place - kTower).norm() < reach) heights.push_back(p.position[i].z);
   }
   if (heights.size() < 10) return 0.0;
@@ -118,7 +119,7 @@ class Watch {
  public:
   Watch(Session& session, const Subject& subject, const Setting& setting, const World& world)
       : setting_(setting),
-        grid_(plan_grid(-world.origin().x(), -world.origin().y(), setting.tank.x(), setting.tank.y(),
+        grid_(plan_grid(-world.patch().origin.x(), -world.patch().origin.y(), setting.tank.x(), setting.tank.y(),
                         world.scene().particle_spacing)),
         surface_(session.series(subject, "surface", "t,x,height")) {}
 
@@ -135,7 +136,7 @@ class Watch {
     }
     if (const Overhang found = find_overhang(grid_, position); found.cells > overhang) {
       overhang = found.cells;
-      at_overhang = take_snapshot(world, found.y + world.origin().y());
+      at_overhang = take_snapshot(world, found.y + world.patch().origin.y());
     }
     if (!setting_.tower) return;
     if (const double height = run_up(world); height > tower) {

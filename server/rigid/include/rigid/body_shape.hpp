@@ -14,6 +14,7 @@
 #include "rigid/mesh_query.hpp"
 #include "rigid/triangle_mesh.hpp"
 #include "values/body.hpp"
+#include "values/patch_frame.hpp"
 
 namespace pelagos {
 
@@ -63,9 +64,9 @@ struct BodyShape {
 [[nodiscard]] BodyShape load_body_shape(const std::string& path, const MeshOptions& options, double spacing,
                                         std::optional<double> inset);
 
-/// Places the samples where the body is: position relative to `origin` (m, world) and velocity of the wall (m/s).
+/// Places the samples where the body is: local position in the patch and velocity of the wall (m/s).
 /// Writes x, y, z of the first samples.size() entries; w is left alone.
-void place_samples(const BodyShape& shape, const BodyState& state, const Eigen::Vector3d& origin,
-                   std::span<Float4> position, std::span<Float4> velocity);
+void place_samples(const BodyShape& shape, const BodyState& state, const PatchFrame& patch, std::span<Float4> position,
+                   std::span<Float4> velocity);
 
 }  // namespace pelagos

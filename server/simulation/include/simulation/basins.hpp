@@ -7,6 +7,7 @@
 #include "physics/particles.hpp"
 #include "physics/task_pool.hpp"
 #include "simulation/bodies.hpp"
+#include "values/patch_frame.hpp"
 #include "values/scene.hpp"
 
 namespace pelagos {
@@ -26,14 +27,14 @@ struct Basin {
 /// spacing too high, since places are whole. One pass over the layers from the floor up, with a union-find over
 /// the places of each.
 /// @param position  m, local: of the particles at the start
-/// @param origin    m, world: local zero
+/// @param frame  of the patch
 [[nodiscard]] std::vector<Basin> find_basins(TaskPool& pool, const Scene& scene, const Bodies& bodies,
-                                             std::span<const Float4> position, const Eigen::Vector3d& origin);
+                                             std::span<const Float4> position, const PatchFrame& frame);
 
 /// Level of the water once it is at rest, m, world. Of several basins that with the largest water surface tells: the
 /// sea is the largest water. Without bodies it is the particles of all blocks spread over the tank's floor. Bodies
 /// displace what they stand in.
 [[nodiscard]] double rest_level(TaskPool& pool, const Scene& scene, const Bodies& bodies,
-                                std::span<const Float4> position, const Eigen::Vector3d& origin);
+                                std::span<const Float4> position, const PatchFrame& frame);
 
 }  // namespace pelagos

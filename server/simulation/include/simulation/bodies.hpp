@@ -19,6 +19,7 @@
 #include "values/body.hpp"
 #include "values/current.hpp"
 #include "values/hold_reading.hpp"
+#include "values/patch_frame.hpp"
 #include "values/scene.hpp"
 #include "values/scene_info.hpp"
 
@@ -108,7 +109,7 @@ class Bodies {
 
   /// The samples of STATIC bodies, local coordinates, V_b in w; those out of the water's reach, a support radius beyond
   /// the tank, are left out.
-  [[nodiscard]] std::vector<Float4> static_samples(const Eigen::Vector3d& origin) const;
+  [[nodiscard]] std::vector<Float4> static_samples(const PatchFrame& frame) const;
 
   /// Whether a point (m, world) is inside a hull or closer to it than `clearance`.
   [[nodiscard]] bool covers(const Eigen::Vector3d& point, double clearance) const;
@@ -122,7 +123,7 @@ class Bodies {
   /// The holds, with the water that was in them when loads were last taken.
   [[nodiscard]] std::vector<HoldReading> holds() const;
   /// Counts the water in the holds; `take_loads` does it too.
-  void measure_holds(const Eigen::Vector3d& origin, const FluidState& fluid);
+  void measure_holds(const PatchFrame& frame, const FluidState& fluid);
   /// What becomes of the holds at the start, one line for each that water could stand in.
   /// @param level  m, world: of the water at rest
   [[nodiscard]] std::vector<std::string> hold_notes(double level) const;
@@ -136,7 +137,7 @@ class Bodies {
   /// Moves all bodies from `now` to `now + dt`, free ones as they would go without the water's push, and places their
   /// samples. Water that a jumping body lands on is carried to where that body was: nothing is lost, nothing is
   /// trapped.
-  void advance(double now, double dt, const Eigen::Vector3d& origin, FluidState& fluid);
+  void advance(double now, double dt, const PatchFrame& frame, FluidState& fluid);
 
   /// After the water's step of dt: free bodies take its push and keep out of each other, of scenery and of walls; loads
   /// are metered.
@@ -152,14 +153,14 @@ class Bodies {
 
   /// What the water did to each body that moves or may move, averaged since the last call.
   /// The surface that tells what still water would do is the particles' alone, for they make the loads.
-  [[nodiscard]] std::vector<BodyLoad> take_loads(const Eigen::Vector3d& origin, const FluidState& fluid,
+  [[nodiscard]] std::vector<BodyLoad> take_loads(const PatchFrame& frame, const FluidState& fluid,
                                                  WaterSurface& surface, double still_level);
 
   /// Whether all places and velocities are numbers.
   [[nodiscard]] bool finite() const;
 
   /// Places the samples of the present states; once before the first step.
-  void place(const Eigen::Vector3d& origin, FluidState& fluid) const;
+  void place(const PatchFrame& frame, FluidState& fluid) const;
 
   /// Largest speed of any sample, m/s: the time step must respect it.
   [[nodiscard]] double largest_speed() const;
@@ -172,7 +173,7 @@ class Bodies {
   /// Whether these can be states of these bodies.
   [[nodiscard]] bool accepts(const BodiesState& state) const;
   /// Goes on from a state of bodies of the same scene.
-  void restore(const BodiesState& state, const Eigen::Vector3d& origin, FluidState& fluid);
+  void restore(const BodiesState& state, const PatchFrame& frame, FluidState& fluid);
 
  private:
   struct Body : BodyDynamics {
@@ -194,14 +195,13 @@ class Bodies {
   void make_contacts(const Scene& scene);
   [[nodiscard]] std::vector<std::string> contact_faults(const Scene& scene);
   /// A body as the water's solves see it: a driven one about its origin, and it gives way to nothing.
-  [[nodiscard]] static CoupledBody coupled_body(const Body& body, const Eigen::Vector3d& origin);
+  [[nodiscard]] static CoupledBody coupled_body(const Body& body, const PatchFrame& frame);
   void open_hold(const Scene& scene, Body& body) const;
   void touch(double dt);
   [[nodiscard]] DriftSea sea_of(const Body& body, double time, const Current& current, double water_level) const;
   void place_contacts();
   void add_samples(TaskPool& pool, const Scene& scene, double support_radius, Body& body);
-  void relocate_water(const Body& body, const BodyState& before, const Eigen::Vector3d& origin,
-                      FluidState& fluid) const;
+  void relocate_water(const Body& body, const BodyState& before, const PatchFrame& frame, FluidState& fluid) const;
 
   double spacing_ = 0.0;
   std::vector<Body> bodies_;

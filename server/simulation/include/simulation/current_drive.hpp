@@ -10,6 +10,7 @@
 #include "physics/task_pool.hpp"
 #include "simulation/current_layers.hpp"
 #include "values/current.hpp"
+#include "values/patch_frame.hpp"
 #include "values/scene.hpp"
 
 namespace pelagos {
@@ -29,10 +30,10 @@ namespace pelagos {
 /// The mean momentum of each layer is what is held: a drift of the whole patch by the wind is held back with it.
 class CurrentDrive {
  public:
-  /// @param origin       m, world: local zero of the particles
+  /// @param frame  of the patch
   /// @param water_level  m, world
   /// @param particles    that start
-  CurrentDrive(const Scene& scene, const Eigen::Vector3d& origin, double water_level, std::size_t particles);
+  CurrentDrive(const Scene& scene, const PatchFrame& frame, double water_level, std::size_t particles);
 
   /// Whether the water can move with a current along x or y at all.
   [[nodiscard]] bool any() const { return moves_[0] || moves_[1]; }

@@ -5,12 +5,13 @@
 
 #include "physics/fluid.hpp"
 #include "simulation/bodies.hpp"
+#include "values/patch_frame.hpp"
 #include "values/scene.hpp"
 
 namespace pelagos {
 
-/// The scene's numbers as physics wants them, defaults filled in. @param origin  m, world: local zero
-[[nodiscard]] FluidParameters fluid_parameters(const Scene& scene, const Eigen::Vector3d& origin);
+/// The scene's numbers as physics wants them, defaults filled in. @param frame  of the patch
+[[nodiscard]] FluidParameters fluid_parameters(const Scene& scene, const PatchFrame& frame);
 
 /// Sets scheme, methods and tolerances.
 void apply_solver(const SolverSettings& solver, FluidParameters& parameters);
@@ -26,6 +27,6 @@ struct StartingParticles {
 };
 
 /// The particles of all blocks, those inside hulls left out: the water's, then the oil's.
-[[nodiscard]] StartingParticles place_blocks(const Scene& scene, const Bodies& bodies, const Eigen::Vector3d& origin);
+[[nodiscard]] StartingParticles place_blocks(const Scene& scene, const Bodies& bodies, const PatchFrame& frame);
 
 }  // namespace pelagos

@@ -13,6 +13,7 @@
 #include "values/current.hpp"
 #include "values/misfit.hpp"
 #include "values/oil_budget.hpp"
+#include "values/patch_frame.hpp"
 #include "values/scene.hpp"
 #include "values/slick.hpp"
 #include "values/spill.hpp"
@@ -81,8 +82,8 @@ struct OilSpillState {
 /// phase and every source feeds the film above it; with kParticles the film stays empty but the ledger is kept.
 class OilSpill {
  public:
-  /// Counts the oil that the scene starts with. @param origin  m, world: local zero
-  OilSpill(const Scene& scene, const FluidState& fluid, const Eigen::Vector3d& origin, double water_level);
+  /// Counts the oil that the scene starts with. @param frame  of the patch
+  OilSpill(const Scene& scene, const FluidState& fluid, const PatchFrame& frame, double water_level);
 
   // Each returns why it is refused, or nothing. They fit the scene (find_misfit).
   [[nodiscard]] std::optional<Misfit> apply(const ReleaseOil& command, const Bodies& hulls);
@@ -124,12 +125,10 @@ class OilSpill {
   void pile_to_particles(const SurfaceGrid& surface, FluidState& fluid);
   [[nodiscard]] bool turn_to_oil(FluidState& fluid, const Eigen::Vector3d& world);
   [[nodiscard]] Eigen::Vector3d next_place(Source& source, const SpillSea& sea) const;
-  [[nodiscard]] bool in_patch(const Eigen::Vector2d& place) const;
   [[nodiscard]] double particle_mass() const;  ///< kg, a whole number of milligrams
 
   OilModel model_;
-  Eigen::Vector3d origin_;
-  Box patch_;
+  PatchFrame frame_;
   double spacing_, oil_density_, water_density_;
   std::uint32_t most_particles_;
   SlickLayer layer_;

@@ -8,6 +8,7 @@
 #include "physics/fluid.hpp"
 #include "simulation/bodies.hpp"
 #include "values/current.hpp"
+#include "values/patch_frame.hpp"
 #include "values/probe.hpp"
 
 namespace pelagos {
@@ -20,9 +21,9 @@ class Probes {
   [[nodiscard]] const std::map<std::uint32_t, ProbeSettings>& settings() const { return probes_; }
   void restore(const std::map<std::uint32_t, ProbeSettings>& probes) { probes_ = probes; }
 
-  /// By id. @param origin  m, world, of local coordinates; @param current  adds what the water does not make itself
+  /// By id. @param frame  of the patch; @param current  adds what the water does not make itself
   [[nodiscard]] std::vector<ProbeReading> read(const FluidState& fluid, WaterSurface& surface, const WaveField& sea,
-                                               const Bodies& bodies, const Eigen::Vector3d& origin,
+                                               const Bodies& bodies, const PatchFrame& frame,
                                                const std::optional<Current>& current, double time) const;
 
  private:

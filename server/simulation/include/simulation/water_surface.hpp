@@ -7,6 +7,7 @@
 
 #include "physics/fluid.hpp"
 #include "surface/water_columns.hpp"
+#include "values/patch_frame.hpp"
 #include "waves/patch_blend.hpp"
 #include "waves/wave_field.hpp"
 
@@ -14,8 +15,8 @@ namespace pelagos {
 
 /// What the surface is made of, besides the particles.
 struct SurfaceSite {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world: local zero
-  Region patch;                                      ///< m, local
+  PatchFrame frame;
+  Region patch;  ///< m, local
   /// Over which the wave field passes into the particles. Walls part the two: no blend, a step at the wall.
   PatchBlend blend;
 };

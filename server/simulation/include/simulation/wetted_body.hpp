@@ -9,18 +9,19 @@
 #include "surface/water_columns.hpp"
 #include "values/body.hpp"
 #include "values/body_load.hpp"
+#include "values/patch_frame.hpp"
 
 namespace pelagos {
 
 /// Places in a ring just outside a body, where the surface tells how the water stands around it; m, local.
-/// @param origin  m, world, of local coordinates
+/// @param frame  of the patch
 [[nodiscard]] std::vector<SurfacePlace> ring_around(const BodyShape& shape, const BodyState& state,
-                                                    const Eigen::Vector3d& origin);
+                                                    const PatchFrame& frame);
 
 /// The plane nearest to what was read there (dry places left out), body axes. Level at `still_level` (m, local) where
 /// there is no water around the body.
 [[nodiscard]] WaterPlane water_around(std::span<const SurfacePlace> ring, std::span<const SurfaceReading> readings,
-                                      const BodyState& state, const Eigen::Vector3d& origin, double still_level);
+                                      const BodyState& state, const PatchFrame& frame, double still_level);
 
 /// Wetted volume and area, and what still water up to that plane would do to the body, into `load`; moments about
 /// load.point. The plane is exact for waves that are long against the body, and a mean for others. Nothing for an open

@@ -19,6 +19,7 @@
 #include "values/command_site.hpp"
 #include "values/effort.hpp"
 #include "values/given_names.hpp"
+#include "values/patch_frame.hpp"
 #include "values/scene.hpp"
 #include "values/scene_info.hpp"
 #include "values/snapshot.hpp"
@@ -121,7 +122,7 @@ class World {
   /// Steps that ended with values that are not finite and were taken back.
   [[nodiscard]] std::uint64_t restored_faults() const { return faults_.restored; }
   [[nodiscard]] const FluidState& fluid() const { return fluid_; }
-  [[nodiscard]] const Eigen::Vector3d& origin() const { return origin_; }  ///< m, world
+  [[nodiscard]] const PatchFrame& patch() const { return frame_; }  ///< m, world
   [[nodiscard]] const Bodies& bodies() const { return bodies_; }
   /// The waves around the patch.
   [[nodiscard]] const WaveField& sea() const { return sea_; }
@@ -162,7 +163,7 @@ class World {
   CommandSite site_;
   WorldOptions options_;
   std::unique_ptr<TaskPool> pool_;
-  Eigen::Vector3d origin_;
+  PatchFrame frame_;
   FrameClock clock_;
   Bodies bodies_;
   Probes probes_;

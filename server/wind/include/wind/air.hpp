@@ -4,22 +4,21 @@
 #include <array>
 #include <cstdint>
 
+#include "values/patch_frame.hpp"
 #include "values/wind.hpp"
 
 namespace pelagos {
 
 /// Where the air blows.
 struct AirSite {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world: local zero of the particles
-  double water_level = 0.0;                          ///< m, world: mean level, from which heights count
-  double floor = 0.0;                                ///< m, world: the water's bottom; heights of WindLaw::kPaper
-  std::uint64_t seed = 1;                            ///< of the disturbance
+  PatchFrame frame;          ///< heights of WindLaw::kPaper count from its floor
+  double water_level = 0.0;  ///< m, world: mean level, from which heights count
+  std::uint64_t seed = 1;    ///< of the disturbance
 
   template <class Self, class Visitor>
   static void visit_fields(Self& self, Visitor& visit) {
-    visit("origin", self.origin);
+    visit("frame", self.frame);
     visit("water_level", self.water_level);
-    visit("floor", self.floor);
     visit("seed", self.seed);
   }
 };
@@ -70,8 +69,8 @@ class Air {
   [[nodiscard]] Eigen::Vector3d reference(const Moment& moment, const Eigen::Vector3d& local) const;
 
   /// The mean level in local coordinates, m.
-  [[nodiscard]] double local_level() const { return site_.water_level - site_.origin.z(); }
-  [[nodiscard]] double local_floor() const { return site_.floor - site_.origin.z(); }
+  [[nodiscard]] double local_level() const { return site_.frame.local_height(site_.water_level); }
+  [[nodiscard]] double local_floor() const { return site_.frame.local_height(site_.frame.box.min.z()); }
 
   static constexpr double kReferenceHeight = 10.0;  ///< m (paper eq. 34)
   static constexpr double kDensity = 1.293;         ///< kg/m^3 (paper eq. 33)
