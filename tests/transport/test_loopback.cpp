@@ -274,28 +274,6 @@ TEST_F(Loopback, UnfitParticlesAreCountedAndTheFrameGoesOn) {
   EXPECT_TRUE(eventually([this] { return publisher_->counters().refused_particles == 1; }));
 }
 
-TEST_F(Loopback, ReadersOfTheFirstStatusAreStillServed) {
-  start();
-  const DdsReader reader(*participant_, topics::status_v1());
-  ServerStatus sent;
-  sent.scene = "tank";
-  sent.step = 900;
-  sent.poses_refused = 4;
-  sent.bodies = test_snapshot(*publisher_, 0, 0)->bodies;
-  bool came = false;
-  EXPECT_TRUE(eventually([&] {
-    publisher_->submit_status(sent);
-    reader.take_all<pelagos_StatusV1>([&](const pelagos_StatusV1& status) {
-      came = true;
-      EXPECT_STREQ(status.scene, "tank");
-      EXPECT_EQ(status.step, 900U);
-      EXPECT_EQ(status.poses_refused, 4U);
-      EXPECT_EQ(status.bodies._length, 1U);
-    });
-    return came;
-  }));
-}
-
 /// A writer that sends frames as they must not be.
 class HostileWriter : public testing::Test {
  protected:

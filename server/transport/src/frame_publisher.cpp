@@ -68,7 +68,6 @@ class FramePublisher::Implementation {
         shape_writer_(*participant_, topics::body_shape()),
         frame_writer_(*participant_, topics::ocean_frame()),
         status_writer_(*participant_, topics::status()),
-        status_v1_writer_(*participant_, topics::status_v1()),
         wind_writer_(*participant_, topics::wind()),
         event_writer_(*participant_, topics::event()) {
     if (const auto warning = check_receive_buffer()) log_.write(*warning);  // viewers mostly run on this machine too
@@ -306,7 +305,6 @@ class FramePublisher::Implementation {
     }
     const wire::StatusSample sample(status, source_, frame_);
     count_write(status_writer_.write(&sample.get()), "status");
-    count_write(status_v1_writer_.write(&sample.first_version()), "status");
 
     pelagos_WindV1 wind{};
     wind.source = source_;
@@ -341,7 +339,7 @@ class FramePublisher::Implementation {
   DdsWriter scene_writer_;
   DdsWriter shape_writer_;
   DdsWriter frame_writer_;
-  DdsWriter status_writer_, status_v1_writer_;
+  DdsWriter status_writer_;
   DdsWriter wind_writer_;
   DdsWriter event_writer_;
   std::optional<DdsWriter> load_writer_, probe_writer_, air_writer_;  ///< of the publisher thread

@@ -220,45 +220,33 @@ SceneInfo from_wire(const pelagos_SceneInfoV1& wire) {
   return info;
 }
 
-namespace {
-
-/// What both versions of the status have.
-template <class Sample>
-void fill_common(const ServerStatus& status, std::uint64_t source, Sample& sample) {
-  sample.source = source;
-  sample.scene = c_string(status.scene);
-  sample.step = status.step;
-  sample.frame = status.frame;
-  sample.simulation_time = status.simulation_time;
-  sample.paused = status.paused;
-  sample.real_time_factor = status.real_time_factor;
-  sample.achievable_real_time_factor = status.achievable_real_time_factor;
-  sample.step_ms = status.step_ms;
-  sample.time_step = status.time_step;
-  sample.particles = status.particles;
-  sample.boundary_particles = status.boundary_particles;
-  sample.published_particles = status.published_particles;
-  sample.density_error = status.density_error;
-  sample.largest_density = status.largest_density;
-  sample.density_iterations = status.density_iterations;
-  sample.divergence_iterations = status.divergence_iterations;
-  sample.kinetic_energy = status.kinetic_energy;
-  sample.largest_speed = status.largest_speed;
-  sample.frames_published = status.frames_published;
-  sample.frames_dropped = status.frames_dropped;
-  sample.poses_accepted = status.poses_accepted;
-  sample.poses_refused = status.poses_refused;
-  sample.has_wind = status.wind.has_value();
-  sample.wind = to_wire(status.wind);
-}
-
-}  // namespace
-
 StatusSample::StatusSample(const ServerStatus& status, std::uint64_t source, pelagos_WorldFrame bodies_frame)
     : bodies_(bodies_to_wire(status.bodies, bodies_frame)) {
-  fill_common(status, source, first_version_);
-  lend(bodies_, first_version_.bodies);
-  fill_common(status, source, sample_);
+  sample_.source = source;
+  sample_.scene = c_string(status.scene);
+  sample_.step = status.step;
+  sample_.frame = status.frame;
+  sample_.simulation_time = status.simulation_time;
+  sample_.paused = status.paused;
+  sample_.real_time_factor = status.real_time_factor;
+  sample_.achievable_real_time_factor = status.achievable_real_time_factor;
+  sample_.step_ms = status.step_ms;
+  sample_.time_step = status.time_step;
+  sample_.particles = status.particles;
+  sample_.boundary_particles = status.boundary_particles;
+  sample_.published_particles = status.published_particles;
+  sample_.density_error = status.density_error;
+  sample_.largest_density = status.largest_density;
+  sample_.density_iterations = status.density_iterations;
+  sample_.divergence_iterations = status.divergence_iterations;
+  sample_.kinetic_energy = status.kinetic_energy;
+  sample_.largest_speed = status.largest_speed;
+  sample_.frames_published = status.frames_published;
+  sample_.frames_dropped = status.frames_dropped;
+  sample_.poses_accepted = status.poses_accepted;
+  sample_.poses_refused = status.poses_refused;
+  sample_.has_wind = status.wind.has_value();
+  sample_.wind = to_wire(status.wind);
   lend(bodies_, sample_.bodies);
   sample_.unconverged_steps = status.unconverged_steps;
   sample_.recoveries = status.recoveries;

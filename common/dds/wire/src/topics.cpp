@@ -47,8 +47,6 @@ TopicSpec body_shape() {
   return {"body_shape_v1", &pelagos_BodyShapeV1_desc, for_late({}), reader};
 }
 
-// Served beside the second version, for readers of the first.
-TopicSpec status_v1() { return {"status_v1", &pelagos_StatusV1_desc, TopicQos{}, reader_qos()}; }
 TopicSpec status() { return {"status_v2", &pelagos_StatusV2_desc, TopicQos{}, reader_qos()}; }
 
 TopicSpec wind() { return {"wind_v1", &pelagos_WindV1_desc, for_late({}), for_late(reader_qos())}; }

@@ -82,17 +82,15 @@ class BodyShapeSample {
 /// Does not validate: see find_fault.
 [[nodiscard]] BodySurface from_wire(const pelagos_BodyShapeV1& shape);
 
-/// Both versions of the status; they lend the strings of `status`, which must outlive the sample.
+/// Lends the strings of `status`, which must outlive the sample.
 class StatusSample {
  public:
   StatusSample(const ServerStatus& status, std::uint64_t source, pelagos_WorldFrame bodies_frame);
   [[nodiscard]] const pelagos_StatusV2& get() const { return sample_; }
-  [[nodiscard]] const pelagos_StatusV1& first_version() const { return first_version_; }
 
  private:
   std::vector<pelagos_BodyStateV1> bodies_;
   pelagos_StatusV2 sample_{};
-  pelagos_StatusV1 first_version_{};
 };
 [[nodiscard]] ServerStatus from_wire(const pelagos_StatusV2& status);
 

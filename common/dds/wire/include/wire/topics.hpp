@@ -9,7 +9,6 @@ namespace pelagos::topics {
 [[nodiscard]] TopicSpec ocean_frame();
 [[nodiscard]] TopicSpec scene_info();
 [[nodiscard]] TopicSpec body_shape();
-[[nodiscard]] TopicSpec status_v1();
 [[nodiscard]] TopicSpec status();
 [[nodiscard]] TopicSpec wind();
 [[nodiscard]] TopicSpec slick();
