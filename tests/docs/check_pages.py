@@ -278,16 +278,32 @@ def check_error_codes(project):
     return faults
 
 
+def oils_in_code(project):
+    """By name: density, viscosity, API gravity, refined, water in the emulsion, source."""
+    text = project.text("server/values/include/values/oil.hpp")
+    found = re.findall(r'\{"([\w ]+)", ([\d.]+), ([\d.]+), ([\d.]+), (true|false), ([\d.]+), "(\w+)"\}', text)
+    return {name: (*map(float, numbers), {"true": "refined", "false": "crude"}[refined], float(water), source)
+            for name, *numbers, refined, water, source in found}
+
+
+def oils_in_contract(project):
+    """By name: density, viscosity."""
+    comment = re.search(r"// By name, .*?\n  optional string type", project.text("proto/scene.proto"), re.S)[0]
+    return {name: (float(density), float(viscosity)) for name, density, viscosity in
+            re.findall(r'"([\w ]+)"\s\(([\d.]+)(?: kg/m\^3)?, ([\d.]+)', re.sub(r"\n\s*//", "", comment))}
+
+
 def check_oils(project):
-    found = re.findall(r'\{"([\w ]+)", ([\d.]+), ([\d.]+)\}', project.text("server/values/include/values/oil.hpp"))
-    real = {name: (float(density), float(viscosity)) for name, density, viscosity in found}
-    documented = {}
-    for row in project.table("docs/scenes.md", "oils"):
-        for k in (0, 4):
-            documented[quoted(row[k])[0]] = (float(row[k + 1]), float(row[k + 2]))
-    faults = compare("docs/scenes.md, oils", list(documented), list(real))
-    return faults + [f"docs/scenes.md: \"{name}\" has {documented[name]}; in the code {real[name]}"
-                     for name in real if name in documented and documented[name] != real[name]]
+    real = oils_in_code(project)
+    documented = {quoted(name)[0]: (*map(float, numbers), kind, float(water), source) for
+                  name, *numbers, kind, water, source in project.table("docs/scenes.md", "oils")}
+    faults = compare("docs/scenes.md, oils", list(documented), list(real), ordered=True)
+    contract = oils_in_contract(project)
+    faults += compare("proto/scene.proto, oils", list(contract), list(real), ordered=True)
+    for place, table, count in (("docs/scenes.md", documented, None), ("proto/scene.proto", contract, 2)):
+        faults += [f"{place}: \"{name}\" has {table[name]}; in the code {real[name][:count]}"
+                   for name in real if name in table and table[name] != real[name][:count]]
+    return faults
 
 
 # ---- names in the code

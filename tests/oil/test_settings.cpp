@@ -21,7 +21,7 @@ std::string refusal(Change change) {
 }
 
 TEST(SlickSettings, DefaultsAreAllowedForEveryOil) {
-  for (const OilKind kind : kOilKinds) EXPECT_EQ(refusal([kind](SlickSettings& s) { s.oil = slick_oil(kind); }), "");
+  for (const OilProperties& oil : kOils) EXPECT_EQ(refusal([&oil](SlickSettings& s) { s.oil = oil; }), "");
 }
 
 TEST(SlickSettings, NameTheFieldTheValueAndWhatIsAllowed) {

@@ -101,7 +101,7 @@ TEST(Spreading, EndsAtTheTerminalThickness) {
 
 TEST(Spreading, TerminalThicknessFollowsFromTheOil) {
   SlickSettings settings = plain_settings();
-  settings.oil = slick_oil(OilKind::kGasoline);
+  settings.oil = find_oil("gasoline").value();
   SlickLayer layer(settings);
   ASSERT_FALSE(layer.release(1.0, {0.0, 0.0}, 0.5));
   run(layer, PlacedSurroundings(), 36000.0, 10.0);

@@ -22,11 +22,13 @@ OilSettings accepted(const std::string& oil) {
 TEST(SceneOil, IsThereOnlyWhereAskedFor) { EXPECT_FALSE(read_with("").scene.value().oil); }
 
 TEST(SceneOil, TakesEveryTypeOfTheTable) {
-  for (const OilProperties& type : oil_types()) {
-    const OilSettings oil = accepted("type: \"" + type.name + "\"");
+  for (const OilProperties& type : kOils) {
+    const OilSettings oil = accepted("type: \"" + std::string(type.name) + "\"");
     EXPECT_EQ(oil.properties.name, type.name);
     EXPECT_EQ(oil.properties.density, type.density);
     EXPECT_EQ(oil.properties.viscosity, type.viscosity);
+    EXPECT_EQ(oil.properties.api_gravity, type.api_gravity);
+    EXPECT_EQ(oil.properties.weathers_as, "");
   }
 }
 
@@ -42,8 +44,17 @@ TEST(SceneOil, TakesValuesAndBlocks) {
 TEST(SceneOil, IsMediumCrudeWhereNothingIsSaid) {
   const OilSettings oil = accepted("");
   EXPECT_EQ(oil.properties.name, "medium crude");
-  EXPECT_EQ(oil.properties.density, 877.0);
+  EXPECT_EQ(oil.properties.density, 879.13);
   EXPECT_TRUE(oil.blocks.empty());
+}
+
+TEST(SceneOil, OfItsOwnValuesSaysWhoseWeatheringItTakes) {
+  const OilProperties heavy = accepted("density: 990 viscosity: 30").properties, bunker = *find_oil("bunker C");
+  EXPECT_EQ(heavy.weathers_as, "bunker C");
+  EXPECT_EQ(heavy.api_gravity, bunker.api_gravity);
+  EXPECT_EQ(heavy.refined, bunker.refined);
+  EXPECT_EQ(heavy.most_water_content, bunker.most_water_content);
+  EXPECT_EQ(accepted("density: 800 viscosity: 0").properties.weathers_as, "light crude");
 }
 
 class SceneOilFault : public testing::TestWithParam<FaultCase> {};
@@ -77,11 +88,11 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(SceneOilFault, IsNamedWithWhatIsAllowed) { test::expect_only_fault(GetParam()); }
 
 TEST(OilTable, HoldsWhatStepsAreKnownToBearAndNothingElseIsFound) {
-  for (const OilProperties& oil : oil_types()) {
+  for (const OilProperties& oil : kOils) {
     EXPECT_GT(oil.density, 700.0) << oil.name;
     EXPECT_LT(oil.density, 1000.0) << oil.name;  // floats on fresh water
     EXPECT_GT(oil.viscosity, 0.0) << oil.name;
-    EXPECT_LE(oil.viscosity, 26.0) << oil.name;
+    EXPECT_LE(oil.viscosity, 45.0) << oil.name;
   }
   EXPECT_TRUE(find_oil(kDefaultOil));
   EXPECT_FALSE(find_oil("Diesel"));

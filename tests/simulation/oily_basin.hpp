@@ -7,12 +7,13 @@
 
 namespace pelagos::test {
 
-inline constexpr double kBasinParticle = 0.25 * 0.25 * 0.25;  ///< m^3, of a particle of the basin
+inline constexpr double kBasinParticle = 0.25 * 0.25 * 0.25;                     ///< m^3, of a particle of the basin
+inline constexpr double kOilDensity = find_oil("medium crude").value().density;  ///< kg/m^3
 
 /// A basin with room for oil, none of it there yet.
 inline Scene oily_basin(OilModel model, Scene scene = basin()) {
   scene.oil.emplace();
-  scene.oil->properties = *find_oil("medium crude");
+  scene.oil->properties = find_oil("medium crude").value();
   scene.oil->model = model;
   return scene;
 }

@@ -36,10 +36,10 @@ TEST(OilSpill, ASourceBringsItsRateForItsTime) {
   test::run_with_ledger(world, 2.0);
   const OilBudget oil = test::budget_of(world);
   EXPECT_EQ(oil.particles, 32U);
-  EXPECT_NEAR(to_kilograms(oil.ledger.submerged), 0.5 * 877.0, 0.05);
+  EXPECT_NEAR(to_kilograms(oil.ledger.submerged), 0.5 * test::kOilDensity, 0.05);
   EXPECT_EQ(oil.ledger.released, oil.ledger.submerged);
   EXPECT_NEAR(oil.displaced_water, 0.5 * 1000.0, 1e-6);
-  EXPECT_NEAR(oil.held_back, 0.0, test::kBasinParticle * 877.0) << "less than a particle";
+  EXPECT_NEAR(oil.held_back, 0.0, test::kBasinParticle * test::kOilDensity) << "less than a particle";
 }
 
 TEST(OilSpill, MakesNoPressureSpike) {
@@ -57,7 +57,7 @@ TEST(OilSpill, FilmTakesWhatTheSlickModelReleases) {
   EXPECT_EQ(oil.particles, 0U);
   EXPECT_GT(oil.elements, 0U);
   EXPECT_GT(oil.area, 0.0);
-  EXPECT_NEAR(to_kilograms(oil.ledger.released), 0.5 * 877.0, 1e-3);
+  EXPECT_NEAR(to_kilograms(oil.ledger.released), 0.5 * test::kOilDensity, 1e-3);
   EXPECT_EQ(oil.displaced_water, 0.0);
 }
 
@@ -69,7 +69,7 @@ TEST(OilSpill, OilGoesBetweenParticlesAndFilm) {
   ASSERT_EQ(test::give(world, OilCommand{thin}), std::nullopt);
   test::run_with_ledger(world, 3.0);
   EXPECT_GT(test::budget_of(world).ledger.afloat, 0) << "lone particles became film";
-  EXPECT_EQ(test::budget_of(world).ledger.released, 2 * to_milligrams(test::kBasinParticle * 877.0));
+  EXPECT_EQ(test::budget_of(world).ledger.released, 2 * to_milligrams(test::kBasinParticle * test::kOilDensity));
 }
 
 TEST(OilSpill, SkimmerRecoversAndTellsWhenItIsDry) {
@@ -205,7 +205,7 @@ TEST(OilSpill, AFloodOfOilEndsInTheFilm) {
   ASSERT_EQ(test::give(world, OilCommand{flood}), std::nullopt);
   test::run_with_ledger(world, 2.5);
   const OilBudget budget = test::budget_of(world);
-  EXPECT_NEAR(to_kilograms(budget.ledger.released), 555.6 * 877.0, 0.01 * 555.6 * 877.0);
+  EXPECT_NEAR(to_kilograms(budget.ledger.released), 555.6 * test::kOilDensity, 0.01 * 555.6 * test::kOilDensity);
   EXPECT_EQ(budget.held_back, 0.0);
 }
 

@@ -34,11 +34,11 @@ TEST(OilWaits, InTheAirAndIsCountedWhenTheSourceEnds) {
   EXPECT_EQ(source.name, "leak");
   EXPECT_EQ(source.wait, SourceWait::kNoWater);
   EXPECT_NEAR(source.waiting, 1.9 - test::kBasinParticle / 0.1, 0.05) << "since the first particle was due";
-  EXPECT_NEAR(source.pending, 0.19 * 877.0, 1.0);
+  EXPECT_NEAR(source.pending, 0.19 * test::kOilDensity, 1.0);
   test::run_with_ledger(world, 2.1);
   EXPECT_TRUE(test::budget_of(world).sources.empty());
   EXPECT_EQ(test::budget_of(world).ledger.released, 0);
-  EXPECT_NEAR(test::budget_of(world).held_back, 0.2 * 877.0, 1e-6);
+  EXPECT_NEAR(test::budget_of(world).held_back, 0.2 * test::kOilDensity, 1e-6);
 }
 
 TEST(OilWaits, AtTheBoundOnParticles) {
@@ -76,7 +76,7 @@ TEST(OilWaits, OnDryGroundUntilTheWaterComes) {
   EXPECT_EQ(test::budget_of(world).ledger.released, 0);
   test::run_with_ledger(world, 4.0);
   EXPECT_EQ(test::budget_of(world).sources[0].wait, SourceWait::kNone);
-  EXPECT_GT(to_kilograms(test::budget_of(world).ledger.released), 0.3 * 877.0) << "what waited came too";
+  EXPECT_GT(to_kilograms(test::budget_of(world).ledger.released), 0.3 * test::kOilDensity) << "what waited came too";
 }
 
 TEST(OilWaits, ASourceThatIsStoppedBringsOutWhatHasFlowed) {
@@ -87,7 +87,7 @@ TEST(OilWaits, ASourceThatIsStoppedBringsOutWhatHasFlowed) {
   ASSERT_EQ(test::give(world, OilCommand{StopRelease{"leak"}}), std::nullopt);
   EXPECT_THAT(test::give(world, OilCommand{StopRelease{"leak"}}), Optional(HasSubstr("no source \"leak\" is running")));
   test::run_with_ledger(world, 1.5);
-  EXPECT_NEAR(to_kilograms(test::budget_of(world).ledger.released), 0.1 * time * 877.0, 1e-3);
+  EXPECT_NEAR(to_kilograms(test::budget_of(world).ledger.released), 0.1 * time * test::kOilDensity, 1e-3);
   EXPECT_EQ(test::budget_of(world).held_back, 0.0);
   EXPECT_TRUE(test::budget_of(world).sources.empty());
 }

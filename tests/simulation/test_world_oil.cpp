@@ -18,8 +18,8 @@ TEST(WorldOil, StartsWithItsBlocksAndPropertiesAndPublishesThePhase) {
   World world(basin_with_oil(), {2, nullptr, {}});
   EXPECT_EQ(world.fluid().particles.count, 1140U + 81U);
   ASSERT_TRUE(world.fluid().parameters.oil);
-  EXPECT_EQ(world.fluid().parameters.oil->rest_density, 855.0);
-  EXPECT_EQ(world.fluid().parameters.oil->viscosity, 0.0064);
+  EXPECT_EQ(world.fluid().parameters.oil->rest_density, find_oil("diesel")->density);
+  EXPECT_EQ(world.fluid().parameters.oil->viscosity, find_oil("diesel")->viscosity);
   Snapshot snapshot;
   for (int frame = 0; frame < 3;) {
     WorldStep step = world.advance();
@@ -39,7 +39,7 @@ TEST(WorldOil, IsAtLeastAsViscousAsWaterThatHasToBe) {
   scene.solver = default_solver(SolverKind::kHybrid);
   const FluidParameters parameters = fluid_parameters(scene, patch_frame(scene));
   EXPECT_GT(parameters.viscosity, 0.0);
-  EXPECT_DOUBLE_EQ(parameters.oil->viscosity, 855.0 * parameters.viscosity);
+  EXPECT_DOUBLE_EQ(parameters.oil->viscosity, find_oil("diesel")->density * parameters.viscosity);
   scene.oil->properties.viscosity = 1000.0;
   EXPECT_EQ(fluid_parameters(scene, patch_frame(scene)).oil->viscosity, 1000.0);
 }

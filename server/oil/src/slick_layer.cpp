@@ -35,7 +35,7 @@ bool is_usable(const SurfaceState& s) {
 SpreadLaw spread_law(const SlickSettings& s) {
   return make_spread_law(s.gravity * (s.water_density - s.oil.density) / s.water_density, s.water_viscosity,
                          s.inertial_constant, s.viscous_constant,
-                         s.terminal_thickness.value_or(terminal_thickness(s.oil.viscosity)));
+                         s.terminal_thickness.value_or(terminal_thickness(kinematic_viscosity(s.oil))));
 }
 
 std::optional<std::string> check_submerged(double mass, Milligrams submerged) {

@@ -15,14 +15,14 @@ struct Distillation {
   double slope;  ///< TG, K
 };
 
-Distillation distillation(const SlickOil& oil) {
+Distillation distillation(const OilProperties& oil) {
   if (oil.refined) return {654.45 - 4.6588 * oil.api_gravity, 388.19 - 3.8725 * oil.api_gravity};
   return {532.98 - 3.1295 * oil.api_gravity, 985.62 - 13.597 * oil.api_gravity};
 }
 
 }  // namespace
 
-double evaporated_share(const SlickOil& oil, double share, double film, double wind, double temperature_celsius,
+double evaporated_share(const OilProperties& oil, double share, double film, double wind, double temperature_celsius,
                         double water, double dt) {
   if (share >= 1.0 || !(wind > 0.0)) return share;
   constexpr double kA = 6.3, kB = 10.3;
@@ -36,20 +36,20 @@ double evaporated_share(const SlickOil& oil, double share, double film, double w
   return std::min(1.0, share + std::log1p(b * rate * exposure) / b);
 }
 
-double water_content(const SlickOil& oil, double water, double wind, double dt) {
+double water_content(const OilProperties& oil, double water, double wind, double dt) {
   if (!(oil.most_water_content > 0.0)) return water;
   constexpr double kUptake = 2e-6;
   const double rate = kUptake * (wind + 1.0) * (wind + 1.0) / oil.most_water_content;
   return oil.most_water_content - (oil.most_water_content - water) * std::exp(-rate * dt);
 }
 
-double weathered_viscosity(const SlickOil& oil, double share, double water, double temperature_celsius) {
-  const double centistokes = oil.viscosity * 1e6;
+double weathered_viscosity(const OilProperties& oil, double share, double water, double temperature_celsius) {
+  const double fresh = kinematic_viscosity(oil), centistokes = fresh * 1e6;
   const double exponent =
       centistokes > 38.0 ? 10.0 : -0.0059 * centistokes * centistokes + 0.4461 * centistokes + 1.413;
   const double temperature = temperature_celsius + kZeroCelsius;
-  return oil.viscosity * std::exp(5000.0 * (1.0 / temperature - 1.0 / kTableTemperature) + exponent * share +
-                                  2.5 * water / (1.0 - 0.65 * water));
+  return fresh * std::exp(5000.0 * (1.0 / temperature - 1.0 / kTableTemperature) + exponent * share +
+                          2.5 * water / (1.0 - 0.65 * water));
 }
 
 double terminal_thickness(double viscosity) {

@@ -14,7 +14,7 @@ constexpr double kLeastRatio = 0.1, kLargestRatio = 2.0;
 
 std::vector<std::string> type_names() {
   std::vector<std::string> names;
-  for (const OilProperties& oil : oil_types()) names.push_back(oil.name);
+  for (const OilProperties& oil : kOils) names.emplace_back(oil.name);
   return names;
 }
 
@@ -31,12 +31,12 @@ void refuse_type(const FieldReader& reader, const std::string& type) {
 void read_values(const FieldReader& reader, double water_density, OilProperties& oil) {
   reader.require("density");
   reader.require("viscosity");
-  oil.name = "oil";
   reader.read("density",
               {kLeastRatio * water_density, kLargestRatio * water_density, "kg/m^3",
                "0.1 to 2 times the water's: beyond, steps are not known to be stable"},
               oil.density);
   reader.read("viscosity", {0.0, 1000.0, "Pa s"}, oil.viscosity);
+  oil = own_oil(oil.density, oil.viscosity);
 }
 
 OilProperties read_properties(const FieldReader& reader, double water_density) {

@@ -18,31 +18,12 @@ std::optional<Misfit> misfit_of(const std::optional<std::string>& fault) {
   return fault ? std::optional(Misfit{"", *fault}) : std::nullopt;
 }
 
-/// The film's oil: the table's weathering of that name, or of the oil nearest in density, with the scene's own density
-/// and viscosity.
-SlickOil film_oil(const OilProperties& oil) {
-  SlickOil film = slick_oil(OilKind::kMediumCrude);
-  if (const auto kind = find_oil_kind(oil.name)) {
-    film = slick_oil(*kind);
-  } else {
-    double nearest = INFINITY;
-    for (const OilKind other : kOilKinds) {
-      const double distance = std::abs(slick_oil(other).density - oil.density);
-      if (distance >= nearest) continue;
-      nearest = distance;
-      film = slick_oil(other);
-    }
-  }
-  film.density = oil.density;
-  film.viscosity = std::max(oil.viscosity, 1e-6) / oil.density;
-  return film;
-}
-
 SlickSettings film_settings(const Scene& scene) {
   const OilSettings& oil = *scene.oil;
   const double d = scene.particle_spacing;
   SlickSettings settings;
-  settings.oil = film_oil(oil.properties);
+  settings.oil = oil.properties;
+  settings.oil.viscosity = std::max(oil.properties.viscosity, 1e-6);
   // An oil of particles alone may be heavier than water; its film stays empty.
   settings.water_density = std::max(scene.water.rest_density, 1.001 * oil.properties.density);
   settings.water_temperature = oil.water_temperature;

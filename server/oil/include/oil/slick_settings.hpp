@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "oil/slick_oil.hpp"
+#include "values/oil.hpp"
 
 namespace pelagos {
 
@@ -32,7 +32,7 @@ struct ParticleExchange {
 };
 
 struct SlickSettings {
-  SlickOil oil = slick_oil(OilKind::kMediumCrude);
+  OilProperties oil = *find_oil(kDefaultOil);
   double water_density = 1026.0;     ///< kg/m^3, above the oil's density (sea water of 35 psu at 15 degrees C)
   double water_viscosity = 1.15e-6;  ///< m^2/s, > 0 (the same)
   double water_temperature = 15.0;   ///< degrees C, -2 to 50

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "oil/slick_oil.hpp"
+#include "values/oil.hpp"
 
 namespace pelagos {
 
@@ -17,18 +17,19 @@ namespace pelagos {
 ///   @param wind      m/s, >= 0; no wind, no evaporation
 ///   @param water     Y, volume share of water in the emulsion
 ///   @return          F after the step, at most 1
-[[nodiscard]] double evaporated_share(const SlickOil& oil, double share, double film, double wind,
+[[nodiscard]] double evaporated_share(const OilProperties& oil, double share, double film, double wind,
                                       double temperature_celsius, double water, double dt);
 
 /// Water uptake (Mackay et al. 1980, 1982):  dY / dt = K (U + 1)^2 (1 - Y / Y_max) ,  K = 2e-6 1/s (m/s)^-2 .
 /// Integrated exactly over the step.
-[[nodiscard]] double water_content(const SlickOil& oil, double water, double wind, double dt);
+[[nodiscard]] double water_content(const OilProperties& oil, double water, double wind, double dt);
 
 /// Kinematic viscosity, m^2/s, of oil that has evaporated by F and taken up Y water:
 ///   nu = nu_15 exp(5000 (1/T - 1/288.15)) exp(C F) exp(2.5 Y / (1 - 0.65 Y))
 /// temperature as in ADIOS (5000 K), emulsion by Mooney (1951) as in Mackay et al. (1982); C = 10 for oils of more than
 /// 38e-6 m^2/s, below that -0.0059 c^2 + 0.4461 c + 1.413 with c in 1e-6 m^2/s (the fit of the MOHID oil module).
-[[nodiscard]] double weathered_viscosity(const SlickOil& oil, double share, double water, double temperature_celsius);
+[[nodiscard]] double weathered_viscosity(const OilProperties& oil, double share, double water,
+                                         double temperature_celsius);
 
 /// Thickness at which spreading ends, m, by the fresh oil's viscosity (ADIOS; PyGNOME, gravity-viscous spreading):
 /// 1e-5 up to 1e-6 m^2/s, 1e-4 from 1e-4 m^2/s on, linear between.
