@@ -280,7 +280,7 @@ def check_error_codes(project):
 
 def oils_in_code(project):
     """By name: density, viscosity, API gravity, refined, water in the emulsion, source."""
-    text = project.text("server/values/include/values/oil.hpp")
+    text = project.text("common/values/include/values/oil.hpp")
     found = re.findall(r'\{"([\w ]+)", ([\d.]+), ([\d.]+), ([\d.]+), (true|false), ([\d.]+), "(\w+)"\}', text)
     return {name: (*map(float, numbers), {"true": "refined", "false": "crude"}[refined], float(water), source)
             for name, *numbers, refined, water, source in found}
