@@ -39,6 +39,7 @@ DAMAGES = [
     ("oils", "docs/scenes.md", "| 12.3 | refined |", "| 12.3 | crude |", "\"heavy fuel oil\" has"),
     ("stages", "docs/physics.md", "| `filter` |", "| `smooth` |", "`filter` is in the code"),
     ("passes", "docs/viewer.md", "| opaque |", "| bodies |", "`opaque` is in the code"),
+    ("folders", "docs/architecture.md", "| `server/oil` |", "| `server/slick` |", "`server/oil` is in the code"),
     ("state", "docs/architecture.md", "| `foam` |", "| `spray` |", "`foam` is in the code"),
 ]
 COPIED = ["docs", "README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md"]

@@ -325,6 +325,15 @@ def check_passes(project):
     return compare("docs/viewer.md, passes", documented, real, ordered=True)
 
 
+def check_folders(project):
+    """Each folder of the server and of what programs share has its place in the table of folders."""
+    real = [f"{top}/{folder.name}" for top in ("server", "common") for folder in sorted((project.source / top).iterdir())
+            if folder.is_dir()]
+    rows = project.table("docs/architecture.md", "folders")
+    documented = [name for row in rows for name in quoted(row[0]) if name.startswith(("server/", "common/"))]
+    return compare("docs/architecture.md, folders", documented, real)
+
+
 def check_state(project):
     text = project.text("server/simulation/include/simulation/world_state.hpp")
     real = re.findall(r'visit\("(\w+)"', text[text.index("struct WorldState"):])
