@@ -175,6 +175,8 @@ def run_blocks(text, shell):
 def help_of(program, words, folder, cache):
     """The help of a program, or of its subcommand where the text names one."""
     path = folder / (program if program.startswith("deploy/") else f"build/release/bin/{program}")
+    if program.startswith("deploy/"):
+        words = []  # a script has no subcommands: what follows it would be done
     for count in range(len(words), -1, -1):
         key = (program, *words[:count])
         if key not in cache:
