@@ -1,6 +1,7 @@
 #include "physics/ghosts.hpp"
 
-#include <cassert>
+#include <algorithm>
+#include <limits>
 
 #include "fluid_stages.hpp"
 
@@ -30,13 +31,8 @@ AxisImages images_across(const Region& tank, Edge edge, std::size_t axis, float 
   return images;
 }
 
-struct Image {
-  std::uint32_t source;
-  Float4 sign, offset;
-};
-
 void add_images(const Region& tank, const std::array<Edge, 3>& edges, float reach, std::size_t i, const Float4& p,
-                std::vector<Image>& out) {
+                std::vector<Ghosts::Image>& out) {
   std::array<AxisImages, 3> axes;
   for (std::size_t axis = 0; axis < 3; ++axis)
     axes[axis] = images_across(tank, edges[axis], axis, reach, coordinate(p, axis));
@@ -54,20 +50,47 @@ Float4 place(const Float4& sign, const Float4& offset, const Float4& p) {
   return {sign.x * p.x + offset.x, sign.y * p.y + offset.y, sign.z * p.z + offset.z, p.w};
 }
 
-/// Images in the order of their particles, whatever the number of threads.
-std::vector<Image> collect_images(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, float reach,
-                                  std::size_t count, std::span<const Float4> position) {
-  std::vector<std::vector<Image>> blocks((count + kPointBlock - 1) / kPointBlock);
-  pool.for_each_range(count, kPointBlock, [&](std::size_t begin, std::size_t end) {
-    std::vector<Image>& out = blocks[begin / kPointBlock];
-    for (std::size_t i = begin; i < end; ++i) add_images(tank, edges, reach, i, position[i], out);
+/// Where a particle has no image: farther than `reach` from all faces that have images.
+struct Inside {
+  std::array<float, 3> low, high;
+
+  Inside(const Region& tank, const std::array<Edge, 3>& edges, float reach) {
+    constexpr float kAnywhere = std::numeric_limits<float>::infinity();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const bool images = edges[axis] != Edge::kWall;
+      low[axis] = images ? tank.min[axis] + reach : -kAnywhere;
+      high[axis] = images ? tank.max[axis] - reach : kAnywhere;
+    }
+  }
+  [[nodiscard]] bool contains(const Float4& p) const {
+    return p.x >= low[0] && p.x <= high[0] && p.y >= low[1] && p.y <= high[1] && p.z >= low[2] && p.z <= high[2];
+  }
+};
+
+/// Brings the blocks' images together, in the order of their particles.
+void join_images(TaskPool& pool, std::size_t blocks, Ghosts& ghosts) {
+  std::vector<std::size_t> first(blocks + 1, 0);
+  for (std::size_t b = 0; b < blocks; ++b) first[b + 1] = first[b] + ghosts.found[b].size();
+  ghosts.images.resize(first[blocks]);
+  pool.for_each_block(blocks, [&](std::size_t b) {
+    std::copy(ghosts.found[b].begin(), ghosts.found[b].end(),
+              ghosts.images.begin() + static_cast<std::ptrdiff_t>(first[b]));
   });
-  std::vector<Image> all;
-  std::size_t total = 0;
-  for (const auto& block : blocks) total += block.size();
-  all.reserve(total);
-  for (const auto& block : blocks) all.insert(all.end(), block.begin(), block.end());
-  return all;
+}
+
+/// Images in the order of their particles, whatever the number of threads.
+void collect_images(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, float reach,
+                    std::size_t count, std::span<const Float4> position, Ghosts& ghosts) {
+  const std::size_t blocks = (count + kPointBlock - 1) / kPointBlock;
+  if (ghosts.found.size() < blocks) ghosts.found.resize(blocks);
+  const Inside inside(tank, edges, reach);
+  pool.for_each_range(count, kPointBlock, [&](std::size_t begin, std::size_t end) {
+    std::vector<Ghosts::Image>& out = ghosts.found[begin / kPointBlock];
+    out.clear();
+    for (std::size_t i = begin; i < end; ++i)
+      if (!inside.contains(position[i])) add_images(tank, edges, reach, i, position[i], out);
+  });
+  join_images(pool, blocks, ghosts);
 }
 
 template <class F>
@@ -105,23 +128,24 @@ void wrap_particles(TaskPool& pool, const Region& tank, const std::array<Edge, 3
 
 void make_ghosts(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, float reach, std::size_t count,
                  std::vector<Float4>& position, Ghosts& ghosts) {
-  const std::vector<Image> images = collect_images(pool, tank, edges, reach, count, position);
-  ghosts.count = images.size();
+  collect_images(pool, tank, edges, reach, count, position, ghosts);
+  ghosts.count = ghosts.images.size();
   ghosts.begin = padded_count(count);
-  std::vector<Float4> unsorted(images.size());
-  for (std::size_t k = 0; k < images.size(); ++k)
-    unsorted[k] = place(images[k].sign, images[k].offset, position[images[k].source]);
-  std::vector<std::uint32_t> order;
-  ghosts.grid.sort(pool, unsorted, order);
+  ghosts.unsorted.resize(ghosts.count);
+  for_each_ghost(pool, ghosts, [&](std::size_t k) {
+    const Ghosts::Image& image = ghosts.images[k];
+    ghosts.unsorted[k] = place(image.sign, image.offset, position[image.source]);
+  });
+  ghosts.grid.sort(pool, ghosts.unsorted, ghosts.order);
   ghosts.source.resize(ghosts.count);
   ghosts.sign.resize(ghosts.count);
   ghosts.offset.resize(ghosts.count);
-  for (std::size_t k = 0; k < ghosts.count; ++k) {
-    const Image& image = images[order[k]];
+  for_each_ghost(pool, ghosts, [&](std::size_t k) {
+    const Ghosts::Image& image = ghosts.images[ghosts.order[k]];
     ghosts.source[k] = image.source;
     ghosts.sign[k] = image.sign;
     ghosts.offset[k] = image.offset;
-  }
+  });
   if (position.size() < extended_count(count, ghosts)) position.resize(extended_count(count, ghosts), kFarRecord);
   extend_positions(pool, ghosts, position);
 }

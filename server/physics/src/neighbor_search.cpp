@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
+#include <optional>
 #include <string_view>
 
 #include "search_job.hpp"
@@ -96,7 +96,7 @@ void write_group(const SearchJob& job, std::size_t group, SearchScratch& scratch
   list.groups[group] = {};
   if (longest == 0 || longest > kRowCapacity) return;  // a long group is left to the exact path
   const std::uint32_t padded = (longest + 3) / 4 * 4;
-  const std::uint64_t first = job.next_slot->fetch_add(padded, std::memory_order_relaxed);
+  const std::uint64_t first = job.claims->claim(job.share_of(group), padded);
   if (first + padded > job.slot_capacity) return;
   const IntTag di;
   const std::size_t lanes = hn::Lanes(di);
@@ -221,7 +221,7 @@ void search_group_exactly(const SearchJob& job, std::size_t group, SearchReport&
     longest = std::max(longest, rows[lane].size());
     list.pair_count[i] = static_cast<std::uint32_t>(rows[lane].size());
   }
-  const std::uint64_t first = job.next_slot->fetch_add(longest, std::memory_order_relaxed);
+  const std::uint64_t first = job.claims->claim_apart(longest);
   if (list.slots.size() < (first + longest) * kLanes) list.slots.resize((first + longest) * kLanes);
   for (std::size_t k = 0; k < longest; ++k)
     for (std::size_t lane = 0; lane < kLanes; ++lane)
@@ -238,25 +238,27 @@ SearchReport find_neighbors(TaskPool& pool, const CellGrid& query_grid, std::spa
   list.groups.assign(groups, {});
   list.pair_count.assign(groups * kLanes, 0);
   list.dummy = dummy;
-  std::atomic<std::uint64_t> next_slot{0};
-  SearchJob job{&query_grid, query, sources, support_radius, dummy, &list, 0, &next_slot};
+  const auto shares = static_cast<std::size_t>(pool.thread_count());
+  std::optional<SlotClaims> claims;
+  SearchJob job{&query_grid, query, sources, support_radius, dummy, &list, 0, shares, nullptr};
   for (;;) {
     job.slot_capacity = list.slots.size() / kLanes;
-    next_slot.store(0);
+    job.claims = &claims.emplace(shares, job.slot_capacity);
     pool.for_each_range(groups, kGroupsPerBlock, [&](std::size_t first, std::size_t last) {
       thread_local SearchScratch scratch;
       HWY_DYNAMIC_DISPATCH(search_groups)(job, first, last, scratch);
     });
-    if (next_slot.load() <= job.slot_capacity) break;
-    list.slots.resize((next_slot.load() + next_slot.load() / 4 + kLanes) * kLanes);  // and once more, with room
+    const std::uint64_t wanted = claims->claimed();
+    if (wanted <= job.slot_capacity) break;
+    list.slots.resize((wanted + wanted / 4 + kLanes) * kLanes);  // and once more, with room
   }
   SearchReport report;
   for (std::size_t group = 0; group < groups; ++group) {
     const auto first = list.pair_count.begin() + static_cast<std::ptrdiff_t>(group * kLanes);
     if (*std::max_element(first, first + kLanes) > kRowCapacity) search_group_exactly(job, group, report);
     for (std::size_t lane = 0; lane < kLanes; ++lane) report.pairs += first[static_cast<std::ptrdiff_t>(lane)];
+    report.slots += list.groups[group].end - list.groups[group].begin;
   }
-  report.slots = next_slot.load();
   return report;
 }
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "physics/neighbor_search.hpp"
+#include "slot_claims.hpp"
 
 namespace pelagos {
 
@@ -27,7 +27,11 @@ struct SearchJob {
   std::int32_t dummy;
   NeighborList* list;
   std::size_t slot_capacity;
-  std::atomic<std::uint64_t>* next_slot;
+  std::size_t shares;  ///< parts of the work for which slots are claimed apart, as many as threads
+  SlotClaims* claims;
+
+  /// The share of a group: the pool deals work to its threads in such equal ranges.
+  [[nodiscard]] std::size_t share_of(std::size_t group) const { return group * shares / list->groups.size(); }
 };
 
 /// Coordinates of all points of 27 cells relative to the middle cell's centre, in separate arrays.

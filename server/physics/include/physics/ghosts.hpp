@@ -30,6 +30,16 @@ struct Ghosts {
   std::vector<Float4> sign, offset;   ///< [count] image position = sign * position + offset, velocity = sign * velocity
   CellGrid grid;                      ///< holds them in cell order
 
+  /// An image before it is sorted.
+  struct Image {
+    std::uint32_t source;
+    Float4 sign, offset;
+  };
+  std::vector<std::vector<Image>> found;  ///< by blocks of particles; kept, as all below, for the next step
+  std::vector<Image> images;              ///< all of them, in the order of their particles
+  std::vector<Float4> unsorted;           ///< m, their places
+  std::vector<std::uint32_t> order;
+
   [[nodiscard]] bool empty() const { return count == 0; }
 };
 
