@@ -110,14 +110,16 @@ TEST_F(PhasePasses, AlphaBoundsTheDiagonal) {
 TEST_F(PhasePasses, TheFilterKeepsMomentum) {
   const std::vector<Float4> v = random_vectors(scene_->count, 1.0, 10);
   VelocityGradients gradients;
-  compute_velocity_gradients(pool_, scene_->data, scene_->gradients, v, gradients);
-  std::vector<Float4> change(padded_count(scene_->count));
-  compute_filter(pool_, scene_->data, gradients, change, scene_->delta);
+  compute_velocity_gradients(pool_, scene_->data, scene_->gradients, Corrections{}, v, gradients);
+  FilterChange filtered;
+  compute_filter(pool_, scene_->data, gradients, filtered, scene_->delta);
+  const std::vector<Float4>& change = filtered.all;
   const auto [sum, size] = momentum(change, scene_->count, [&](std::size_t i) { return mass(i); });
   for (const double c : sum) EXPECT_NEAR(c, 0.0, 1e-6 * size);
   scene_->data.phases = nullptr;
-  std::vector<Float4> plain(padded_count(scene_->count));
-  compute_filter(pool_, scene_->data, gradients, plain, scene_->delta);
+  FilterChange in_one_phase;
+  compute_filter(pool_, scene_->data, gradients, in_one_phase, scene_->delta);
+  const std::vector<Float4>& plain = in_one_phase.all;
   for (std::size_t i = 0; i < scene_->count; ++i)
     if (is_light(i)) {
       ASSERT_EQ(change[i].y, plain[i].y) << "the lighter phase takes the whole change";

@@ -10,12 +10,12 @@ namespace pelagos::test {
 
 /// A small valid scene; lines 1 to 9.
 inline const std::string kValid =
-    "name: \"small\"\n"                                                         // 1
-    "particle_spacing: 0.1\n"                                                   // 2
-    "tank { min { x: 0 y: 0 z: 0 } max { x: 2 y: 2 z: 2 } }\n"                  // 3
-    "water {\n"                                                                 // 4
-    "  block { min { x: 0 y: 0 z: 0 } max { x: 1 y: 1 z: 1 } }  # 9 x 9 x 9\n"  // 5
-    "}\n";                                                                      // 6
+    "name: \"small\"\n"                                                            // 1
+    "particle_spacing: 0.1\n"                                                      // 2
+    "tank { min { x: 0 y: 0 z: 0 } max { x: 2 y: 2 z: 2 } }\n"                     // 3
+    "water {\n"                                                                    // 4
+    "  block { min { x: 0 y: 0 z: 0 } max { x: 1 y: 1 z: 1 } }  # 10 x 10 x 10\n"  // 5
+    "}\n";                                                                         // 6
 
 /// The start of a body entry, without its closing brace.
 inline constexpr const char* kBody = "body { id: 1 mesh_file: \"a.obj\" position { x: 1 y: 1 z: 1 } ";

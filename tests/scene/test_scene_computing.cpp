@@ -84,7 +84,10 @@ TEST(SceneFile, FillsAxesWithoutWallsFromHalfASpacing) {
   const SceneResult result = read_with("tank_edges { x: PERIODIC z: MIRROR }\n");
   ASSERT_TRUE(result) << result.report();
   EXPECT_EQ(result.scene->tank_edges, (TankEdges{TankEdge::kPeriodic, TankEdge::kWall, TankEdge::kMirror}));
-  EXPECT_EQ(particle_count(*result.scene), 10 * 9 * 10);
+  EXPECT_EQ(particle_count(*result.scene), 10 * 10 * 10);
+  const SceneResult sampled = read_with("tank_edges { x: PERIODIC z: MIRROR }\nsolver { kind: HYBRID }\n");
+  ASSERT_TRUE(sampled) << sampled.report();
+  EXPECT_EQ(particle_count(*sampled.scene), 10 * 9 * 10) << "a sampled wall's own particles stand on its face";
 }
 
 TEST(SceneFile, RefusesBlocksTooSmallForAParticleWithoutWallsToo) {
@@ -95,7 +98,7 @@ TEST(SceneFile, RefusesBlocksTooSmallForAParticleWithoutWallsToo) {
     return read_scene_text(text + "tank_edges { z: MIRROR }\n", "test.scene");
   };
   EXPECT_THAT(with_height("0.09").faults,
-              ElementsAre(AllOf(StartsWith("test.scene:5: water.block[0]: "), HasSubstr("(0.2, 0.2, 0.1) m"))));
+              ElementsAre(AllOf(StartsWith("test.scene:5: water.block[0]: "), HasSubstr("(0.1, 0.1, 0.1) m"))));
   EXPECT_TRUE(with_height("0.1"));
 }
 

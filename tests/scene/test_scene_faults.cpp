@@ -204,9 +204,20 @@ TEST(SceneFile, RefusesBlocksThatLeaveTheTank) {
 }
 
 TEST(SceneFile, RefusesBlocksTooSmallForAParticle) {
-  EXPECT_THAT(read_replacing("max { x: 1 y: 1 z: 1 }", "max { x: 1 y: 1 z: 0.15 }").faults,
+  EXPECT_THAT(
+      read_replacing("max { x: 1 y: 1 z: 1 }", "max { x: 1 y: 1 z: 0.09 }").faults,
+      ElementsAre(AllOf(StartsWith("test.scene:5: water.block[0]: "), HasSubstr("at least (0.1, 0.1, 0.1) m"))));
+  EXPECT_TRUE(read_replacing("max { x: 1 y: 1 z: 1 }", "max { x: 1 y: 1 z: 0.1 }"));
+  // The paper's solvers sample the walls.
+  const std::string hybrid = "solver { kind: HYBRID } water {";
+  const auto with_height = [&](const char* z) {
+    std::string text = test::kValid;
+    text.replace(text.find("max { x: 1 y: 1 z: 1 }"), 22, std::string("max { x: 1 y: 1 z: ") + z + " }");
+    return read_scene_text(text.replace(text.find("water {"), 7, hybrid), "test.scene");
+  };
+  EXPECT_THAT(with_height("0.15").faults,
               ElementsAre(AllOf(StartsWith("test.scene:5: water.block[0]: "), HasSubstr("at least 0.2 m"))));
-  EXPECT_TRUE(read_replacing("max { x: 1 y: 1 z: 1 }", "max { x: 1 y: 1 z: 0.2 }"));
+  EXPECT_TRUE(with_height("0.2"));
 }
 
 TEST(SceneFile, RefusesInsideOutBoxes) {
@@ -225,25 +236,25 @@ TEST(SceneFile, RefusesOverlappingBlocksAndTakesTouchingOnes) {
 }
 
 TEST(SceneFile, RefusesABillionParticlesAtOnceWithTheNumber) {
-  // 1000 intervals along each axis: 999^3 = 997,002,999.
+  // 1000 along each axis.
   const SceneResult result = read_scene_text(
       "particle_spacing: 0.01\n"
       "tank { min { } max { x: 10 y: 10 z: 10 } }\n"
       "water { block { min { } max { x: 10 y: 10 z: 10 } } }\n",
       "test.scene");
   EXPECT_THAT(result.faults,
-              testing::Contains(AllOf(StartsWith("test.scene:3: water.block: "), HasSubstr("997,002,999 particles"),
+              testing::Contains(AllOf(StartsWith("test.scene:3: water.block: "), HasSubstr("1,000,000,000 particles"),
                                       HasSubstr("at most 4,000,000"))));
 }
 
 TEST(SceneFile, RefusesTanksThatWouldNotFitInMemory) {
   const SceneResult result = read_scene_text(
-      "particle_spacing: 0.001\n"
+      "particle_spacing: 0.001 solver { kind: HYBRID }\n"
       "tank { min { } max { x: 1e6 y: 1e6 z: 1e6 } }\n"
       "water { block { min { } max { x: 0.01 y: 0.01 z: 0.01 } } }\n",
       "test.scene");
-  EXPECT_THAT(result.faults, ElementsAre(AllOf(StartsWith("test.scene:2: tank: "), HasSubstr("wall particles")),
-                                         AllOf(StartsWith("test.scene:2: tank: "), HasSubstr("search cells"))));
+  EXPECT_THAT(result.faults, ElementsAre(AllOf(StartsWith("test.scene:2: tank: "), HasSubstr("search cells")),
+                                         AllOf(StartsWith("test.scene:2: tank: "), HasSubstr("wall particles"))));
 }
 
 TEST(SceneFile, RefusesTanksNarrowerThanTheSupport) {

@@ -38,7 +38,7 @@ TEST(SceneOil, TakesValuesAndBlocks) {
   EXPECT_EQ(oil.properties.viscosity, 0.5);
   ASSERT_EQ(oil.blocks.size(), 1u);
   EXPECT_EQ(oil.blocks[0].max.z(), 1.5);
-  EXPECT_EQ(particle_count(*read_with("oil { " + kBlock + " }").scene), 9 * 9 * 9 + 9 * 9 * 4);
+  EXPECT_EQ(particle_count(*read_with("oil { " + kBlock + " }").scene), 10 * 10 * 10 + 10 * 10 * 5);
 }
 
 TEST(SceneOil, IsMediumCrudeWhereNothingIsSaid) {
@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
             "oil.block[1]", "overlaps oil.block[0]"},
         FaultCase{"Outside", "oil { block { min { z: 1 } max { x: 1 y: 1 z: 3 } } }", "oil.block[0]",
                   "inside the tank"},
-        FaultCase{"TooSmall", "oil { block { min { z: 1 } max { x: 1 y: 1 z: 1.1 } } }", "oil.block[0]",
+        FaultCase{"TooSmall", "oil { block { min { z: 1 } max { x: 1 y: 1 z: 1.09 } } }", "oil.block[0]",
                   "too small for one particle"},
         FaultCase{"Unfit", "oil { colour: 1 }", "oil.colour", "unknown field"}),
     [](const auto& entry) { return entry.param.name; });

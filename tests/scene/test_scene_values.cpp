@@ -23,7 +23,7 @@ TEST(SceneFile, TakesTheDefaultsOfWhatIsLeftOut) {
   EXPECT_EQ(scene.solver.method, PressureMethod::kConjugateGradient);
   EXPECT_FALSE(scene.wind);
   EXPECT_EQ(scene.frame_interval, 1.0 / 30.0);
-  EXPECT_EQ(particle_count(scene), 9 * 9 * 9);
+  EXPECT_EQ(particle_count(scene), 10 * 10 * 10);
 }
 
 TEST(SceneFile, ReadsShapes) {

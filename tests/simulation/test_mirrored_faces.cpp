@@ -36,41 +36,20 @@ Scene gated(double thickness, double past, BodyDrive drive = BodyDrive::kStatic)
 
 std::vector<std::string> notes_of(const Scene& scene) { return World(scene, {1, nullptr, {}}).start_notes(); }
 
-auto tells_of(const std::string& face) {
-  return AllOf(HasSubstr("body 1 (gate)"), HasSubstr("mirrored face " + face), HasSubstr("one spacing"),
-               HasSubstr("WALL"));
-}
-
-TEST(MirroredFaces, EveryGateThatEndsThereIsTold) {
-  for (const double spacings : {0.1, 0.2, 1.0, 2.0, 4.0})
-    for (const BodyDrive drive : {BodyDrive::kStatic, BodyDrive::kPose})
-      EXPECT_THAT(notes_of(gated(spacings * kSpacing, 0.0, drive)),
-                  ElementsAre(tells_of("y = 0 m"), tells_of("y = 0.8 m"), tells_of("z = 0 m")))
-          << spacings << " spacings";
-}
+auto tells_of(const std::string& face) { return AllOf(HasSubstr("body 1 (gate)"), HasSubstr("mirrored face " + face)); }
 
 TEST(MirroredFaces, AGapUnderASupportRadiusIsTold) {
-  EXPECT_THAT(notes_of(gated(0.2, -0.05)), ElementsAre(HasSubstr("ends 0.05 m before"), testing::_, testing::_));
-  EXPECT_THAT(notes_of(gated(0.2, -0.18)).size(), 3U);
+  EXPECT_THAT(notes_of(gated(0.2, -0.05)), ElementsAre(AllOf(tells_of("y = 0 m"), HasSubstr("ends 0.05 m before"),
+                                                             HasSubstr("let it reach the face")),
+                                                       tells_of("y = 0.8 m"), tells_of("z = 0 m")));
+  EXPECT_EQ(notes_of(gated(0.2, -0.18)).size(), 3U);
   EXPECT_THAT(notes_of(gated(0.2, -0.21)), IsEmpty()) << "water passes, as meant";
 }
 
-TEST(MirroredFaces, AGateThatReachesTooLittlePastIsTold) {
-  EXPECT_THAT(notes_of(gated(0.2, 0.03)), ElementsAre(HasSubstr("reaches only 0.03 m past"), testing::_, testing::_));
-}
-
-TEST(MirroredFaces, AGateThatReachesPastIsFine) {
-  for (const double spacings : {0.1, 0.2, 1.0, 4.0})
-    for (const double past : {0.5, 1.0, 3.0})
+TEST(MirroredFaces, AGateThatGoesUpToThemIsFine) {
+  for (const double spacings : {0.1, 0.2, 1.0, 2.0, 4.0})
+    for (const double past : {0.0, 0.1, 0.5, 1.0, 3.0})
       EXPECT_THAT(notes_of(gated(spacings * kSpacing, past * kSpacing)), IsEmpty()) << spacings << ' ' << past;
-}
-
-TEST(MirroredFaces, WallsNeedNoSuchThing) {
-  Scene scene = gated(0.1, 0.0);
-  scene.tank_edges = kWalledTank;
-  EXPECT_THAT(notes_of(scene), IsEmpty());
-  scene.tank_edges[2] = TankEdge::kMirror;
-  EXPECT_THAT(notes_of(scene), ElementsAre(tells_of("z = 0 m")));
 }
 
 TEST(MirroredFaces, WhatStaysAboveTheWaterIsFine) {
@@ -123,13 +102,36 @@ TEST(MirroredFaces, ASlopeThatGoesOnIsFine) {
   EXPECT_THAT(notes_of(scene), IsEmpty());
 }
 
-TEST(MirroredFaces, AGateThatReachesPastHoldsTheWater) {
-  World world(gated(0.1, 0.1), {1, nullptr, {}});
+/// Particles behind the gate after two seconds.
+std::ptrdiff_t leaked(const Scene& scene) {
+  World world(scene, {1, nullptr, {}});
   while (world.time() < 2.0) world.advance();
   const FluidParticles& p = world.fluid().particles;
-  const auto behind = std::count_if(p.position.begin(), p.position.begin() + static_cast<std::ptrdiff_t>(p.count),
-                                    [](const Float4& x) { return x.x > 0.05F; });
-  EXPECT_EQ(behind, 0);
+  const auto behind = static_cast<float>(0.5 * std::get<BoxShape>(*scene.bodies[0].primitive).size.x());
+  return std::count_if(p.position.begin(), p.position.begin() + static_cast<std::ptrdiff_t>(p.count),
+                       [behind](const Float4& x) { return x.x > behind; });
+}
+
+TEST(MirroredFaces, AGateOfAnyThicknessHoldsTheWater) {
+  for (const double spacings : {0.1, 0.2, 1.0, 2.0, 4.0})
+    for (const double past : {0.0, 0.3, 1.0})
+      for (const BodyDrive drive : {BodyDrive::kStatic, BodyDrive::kPose}) {
+        if (drive == BodyDrive::kPose && past > 0.0) continue;
+        EXPECT_EQ(leaked(gated(spacings * kSpacing, past * kSpacing, drive)), 0)
+            << spacings << " spacings thick, " << past << " past, drive " << static_cast<int>(drive);
+      }
+}
+
+TEST(MirroredFaces, SamplesOfAPlateLeaveGapsAtTheFace) {
+  // A plate has samples in place of a distance field. Between the last of them and their images there may be a gap of
+  // two spacings, through which single ones of the 576 particles pass.
+  EXPECT_LE(leaked(gated(0.5 * kSpacing, 0.0)), 15);
+}
+
+TEST(MirroredFaces, WallsHoldItAsWell) {
+  Scene scene = gated(0.1, 0.0);
+  scene.tank_edges = kWalledTank;
+  EXPECT_EQ(leaked(scene), 0);
 }
 
 }  // namespace

@@ -240,7 +240,7 @@ TEST(OilSpill, RefusesWhatCannotBe) {
   EXPECT_THAT(test::give(world, OilCommand{wrong}), Optional(HasSubstr("body: the scene has no body 9")));
   wrong = leak();
   wrong.duration = 1000.0;
-  EXPECT_THAT(test::give(world, OilCommand{wrong}), Optional(HasSubstr("oil.most_particles 285")));
+  EXPECT_THAT(test::give(world, OilCommand{wrong}), Optional(HasSubstr("oil.most_particles 400")));
   EXPECT_THAT(test::give(world, OilCommand{StopRelease{"no"}}), Optional(HasSubstr("name: there is no source \"no\"")));
   EXPECT_THAT(test::give(world, OilCommand{SetBoom{"b", {{1, 1}, {2, 2}}, 0.5, 0.36}}),
               Optional(HasSubstr("allowed with oil.model SLICK or BOTH")));

@@ -7,7 +7,7 @@
 namespace pelagos {
 namespace {
 
-/// The basin with a slick of 9 x 9 x 1 particles on it.
+/// The basin with a slick of 10 x 10 x 2 particles on it.
 Scene basin_with_oil() {
   Scene scene = test::basin();
   scene.oil = OilSettings{*find_oil("diesel"), {{{1.25, 1.0, 1.25}, {3.75, 3.5, 1.75}}}};
@@ -16,7 +16,7 @@ Scene basin_with_oil() {
 
 TEST(WorldOil, StartsWithItsBlocksAndPropertiesAndPublishesThePhase) {
   World world(basin_with_oil(), {2, nullptr, {}});
-  EXPECT_EQ(world.fluid().particles.count, 1140U + 81U);
+  EXPECT_EQ(world.fluid().particles.count, 1600U + 200U);
   ASSERT_TRUE(world.fluid().parameters.oil);
   EXPECT_EQ(world.fluid().parameters.oil->rest_density, find_oil("diesel")->density);
   EXPECT_EQ(world.fluid().parameters.oil->viscosity, find_oil("diesel")->viscosity);
@@ -29,7 +29,7 @@ TEST(WorldOil, StartsWithItsBlocksAndPropertiesAndPublishesThePhase) {
     world.take_frame(snapshot, step.report);
     std::size_t oil = 0;
     for (const SurfaceParticle& particle : snapshot.particles) oil += particle.phase == kOilPhase ? 1 : 0;
-    EXPECT_EQ(oil, 81U) << "all of the oil travels";
+    EXPECT_EQ(oil, 200U) << "all of the oil travels";
     EXPECT_LT(oil, snapshot.particles.size());
   }
 }

@@ -14,13 +14,14 @@ namespace HWY_NAMESPACE {
 
 template <bool kPhases>
 HWY_INLINE void pressure_groups_with(const PairData& data, std::size_t first_group, std::size_t last_group,
-                                     const void* cache_words, const Float4* sum, const float* pressure,
-                                     Float4* displacement) {
+                                     const void* cache_words, const void* solid_words, const Float4* sum,
+                                     const float* pressure, Float4* displacement) {
   const FloatTag d;
-  const auto* cache = static_cast<const CachedGradient*>(cache_words);
   const FloatV minus_inverse_spacing = hn::Set(d, -1.0F / data.spacing);
   for (std::size_t group = first_group; group < last_group; ++group)
     for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
+      const bool at_solid = data.solids && data.solids->group[group] != 0;
+      const auto* cache = static_cast<const CachedGradient*>(at_solid ? solid_words : cache_words);
       const FloatV own = hn::LoadU(d, pressure + i);
       Vec3 push = zero3();
       const NeighborList::SlotRange fluid = data.fluid->groups[group];
@@ -45,11 +46,11 @@ HWY_INLINE void pressure_groups_with(const PairData& data, std::size_t first_gro
 }
 
 void pressure_groups(const PairData& data, std::size_t first_group, std::size_t last_group, const void* cache_words,
-                     const Float4* sum, const float* pressure, Float4* displacement) {
+                     const void* solid_words, const Float4* sum, const float* pressure, Float4* displacement) {
   if (data.phases)
-    pressure_groups_with<true>(data, first_group, last_group, cache_words, sum, pressure, displacement);
+    pressure_groups_with<true>(data, first_group, last_group, cache_words, solid_words, sum, pressure, displacement);
   else
-    pressure_groups_with<false>(data, first_group, last_group, cache_words, sum, pressure, displacement);
+    pressure_groups_with<false>(data, first_group, last_group, cache_words, solid_words, sum, pressure, displacement);
 }
 
 void rate_groups(const PairData& data, std::size_t first_group, std::size_t last_group, const void* cache_words,
@@ -89,7 +90,8 @@ void apply_pressure(TaskPool& pool, const PairData& data, const Gradients& gradi
   const GradientCache& cache = gradients.corrected ? gradients.other : gradients.own;
   for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
     HWY_DYNAMIC_DISPATCH(pressure_groups)
-    (data, first, last, cache.words.data(), gradients.sum.data(), pressure.data(), displacement.data());
+    (data, first, last, cache.words.data(), gradients.other.words.data(), gradients.sum.data(), pressure.data(),
+     displacement.data());
   });
 }
 

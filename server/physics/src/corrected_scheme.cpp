@@ -3,6 +3,7 @@
 
 #include "constraint_sources.hpp"
 #include "fluid_stages.hpp"
+#include "solid_planes.hpp"
 #include "vector_kernels.hpp"
 
 namespace pelagos {
@@ -39,6 +40,7 @@ void repair_positions(TaskPool& pool, FluidState& state, StepReport& report) {
 /// Density, plain gradients and corrections at the positions before the repair; the velocity solve keeps them: the
 /// repair moves particles by hundredths of a spacing.
 void refresh_corrections(TaskPool& pool, FluidState& state, StepReport& report) {
+  find_solid_planes(pool, state);
   compute_corrections(pool, pair_data(state), state.particles.density, state.gradients, state.corrections);
   ++report.pair_passes;
 }
@@ -69,13 +71,14 @@ void filter_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& r
   FluidParticles& p = state.particles;
   const PairData data = pair_data(state);
   extend_velocities(pool, state);
-  compute_velocity_gradients(pool, data, state.gradients, p.velocity, state.velocity_gradients);
-  state.filter_change.resize(padded_count(p.count));
+  refresh_solid_speeds(pool, state);
+  compute_velocity_gradients(pool, data, state.gradients, state.corrections, p.velocity, state.velocity_gradients);
   compute_filter(pool, data, state.velocity_gradients, state.filter_change, p.density);
   report.pair_passes += 2;
   const double rate = q.filter * std::sqrt((q.gravity > 0.0 ? q.gravity : kStandardGravity) / q.spacing);
   const auto factor = static_cast<float>(std::min(dt * rate, kLargestFilterStep));
-  add_scaled_vectors(pool, factor, of_particles(state, state.filter_change), p.velocity);
+  add_scaled_vectors(pool, factor, of_particles(state, state.filter_change.all), p.velocity);
+  give_filter_to_bodies(pool, state, factor);
 }
 
 }  // namespace
@@ -84,6 +87,7 @@ void advance_corrected(TaskPool& pool, FluidState& state, double dt, Clock clock
   run_stage(report, clock, Stage::kPredict, [&] {
     drift(pool, state, dt);
     accelerate(pool, state, dt);
+    push_out_of_solids(pool, state);
     wrap(pool, state);
   });
   run_stage(report, clock, Stage::kSort, [&] { sort_particles(pool, state); });

@@ -10,6 +10,8 @@ namespace pelagos {
 
 namespace {
 
+Eigen::Vector3f vector_of(const Float4& p) { return {p.x, p.y, p.z}; }
+
 /// Collects the contacts of one particle, body by body.
 class ContactCollector {
  public:
@@ -20,20 +22,41 @@ class ContactCollector {
     const std::size_t before = out_.size();
     for_each_neighbor(state_.wall_list, i, [&](std::size_t b) {
       if (b < state_.static_walls) return;
-      const std::int32_t body = state_.coupling.sample_body[b - state_.static_walls];
-      if (body >= 0) add(i, b, static_cast<std::uint32_t>(body), before);
+      const BodySample& sample = state_.coupling.samples[b - state_.static_walls];
+      if (sample.body >= 0) add(i, b, sample, before);
     });
+  }
+  /// Of the solids near particle i: their part of its gradient acts at the foot of the particle on their surface.
+  void collect_solids(std::size_t i) {
+    const std::size_t before = out_.size();
+    const SolidPlanes& planes = state_.solid_planes;
+    for (std::size_t slot = 0; slot < SolidPlanes::kSlots; ++slot) {
+      const std::int32_t solid = planes.solid[slot][i];
+      const std::int32_t body = solid < 0 ? -1 : state_.solids[static_cast<std::size_t>(solid)].body;
+      if (body < 0) continue;
+      const Float4 &wall = state_.gradients.solid_wall[slot][i], &plane = planes.plane[slot][i];
+      const Eigen::Vector3f x = vector_of(planes.position[i]), normal = vector_of(plane), gradient = vector_of(wall);
+      const Eigen::Vector3f foot = x - (normal.dot(x) - plane.w) * normal;
+      BodyContact& contact = contact_with(i, static_cast<std::uint32_t>(body), before);
+      contact.gradient += gradient;
+      contact.moment +=
+          (foot - state_.coupling.bodies[static_cast<std::size_t>(body)].centre.cast<float>()).cross(gradient);
+    }
   }
 
  private:
-  void add(std::size_t i, std::size_t b, std::uint32_t body, std::size_t before) {
+  /// What moves an image moves its source by the reflected way.
+  void add(std::size_t i, std::size_t b, const BodySample& sample, std::size_t before) {
     const Float4 &x = state_.particles.position[i], &s = state_.walls.position[b];
     const Eigen::Vector3f apart(x.x - s.x, x.y - s.y, x.z - s.z);
     const float distance = apart.norm();
     if (!(distance > 0.0F) || distance >= kernel_.support_radius) return;
     Eigen::Vector3f a = apart * (s.w * kernel_.derivative(distance) / distance);
     if (corrected_) a = correct(i, a);
-    const Eigen::Vector3f arm = Eigen::Vector3f(s.x, s.y, s.z) - state_.coupling.bodies[body].centre.cast<float>();
+    a = a.cwiseProduct(vector_of(sample.sign));
+    const auto body = static_cast<std::uint32_t>(sample.body);
+    const Eigen::Vector3f arm =
+        vector_of(state_.moving_position[sample.source]) - state_.coupling.bodies[body].centre.cast<float>();
     BodyContact& contact = contact_with(i, body, before);
     contact.gradient += a;
     contact.moment += arm.cross(a);
@@ -77,8 +100,10 @@ void find_contacts(TaskPool& pool, FluidState& state) {
   std::vector<std::vector<BodyContact>> parts((count + kPointBlock - 1) / kPointBlock);
   pool.for_each_range(count, kPointBlock, [&](std::size_t begin, std::size_t end) {
     ContactCollector collector(state, state.gradients.corrected, parts[begin / kPointBlock]);
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
       if (state.wall_list.pair_count[i] > 0) collector.collect(i);
+      if (!state.solids.empty() && state.solid_planes.group[i / kLanes] != 0) collector.collect_solids(i);
+    }
   });
   for (const std::vector<BodyContact>& part : parts)
     coupling.contacts.insert(coupling.contacts.end(), part.begin(), part.end());
@@ -105,18 +130,24 @@ void soften_alpha(FluidState& state) {
 /// Moves the bodies' samples beyond where they were placed, in the walls' order and in the bodies' own.
 void move_samples(FluidState& state, std::span<const BodyMotion> motions) {
   const BodyCoupling& coupling = state.coupling;
-  const auto move = [&](std::size_t k, Float4& x) {
+  const auto way_of = [&](std::size_t k, const Float4& x) -> Eigen::Vector3f {
     const Eigen::Vector3d arm = Eigen::Vector3d(x.x, x.y, x.z) - coupling.bodies[k].centre;
-    const Eigen::Vector3f way = (motions[k].way + motions[k].turn.cross(arm)).cast<float>();
-    x.x += way.x(), x.y += way.y(), x.z += way.z();
+    return (motions[k].way + motions[k].turn.cross(arm)).cast<float>();
   };
+  const auto move = [](const Eigen::Vector3f& way, Float4& x) { x.x += way.x(), x.y += way.y(), x.z += way.z(); };
+  for (std::size_t n = 0; n < coupling.samples.size(); ++n) {
+    const BodySample& sample = coupling.samples[n];
+    if (sample.body < 0) continue;
+    const Eigen::Vector3f way = way_of(static_cast<std::size_t>(sample.body), state.moving_position[sample.source]);
+    move(way.cwiseProduct(vector_of(sample.sign)), state.walls.position[state.static_walls + n]);
+  }
   for (std::size_t k = 0; k < coupling.bodies.size(); ++k) {
     const CoupledBody& body = coupling.bodies[k];
-    for (std::size_t n = 0; n < body.sample_count; ++n) move(k, state.moving_position[body.first_sample + n]);
+    for (std::size_t n = 0; n < body.sample_count; ++n) {
+      Float4& x = state.moving_position[body.first_sample + n];
+      move(way_of(k, x), x);
+    }
   }
-  for (std::size_t n = 0; n < coupling.sample_body.size(); ++n)
-    if (coupling.sample_body[n] >= 0)
-      move(static_cast<std::size_t>(coupling.sample_body[n]), state.walls.position[state.static_walls + n]);
 }
 
 }  // namespace

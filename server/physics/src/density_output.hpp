@@ -11,7 +11,9 @@ struct DensityOutput {
   Float4* sum = nullptr;
   Float4* wall = nullptr;
   void* cache_words = nullptr;
-  Float4* first = nullptr;  ///< corrections
+  void* other_words = nullptr;                 ///< -a_ji, written near solids
+  Float4* solid_wall[2] = {nullptr, nullptr};  ///< by slot, written near solids
+  Float4* first = nullptr;                     ///< corrections
   Float4* second = nullptr;
   float* mobility = nullptr;  ///< two phases
 };

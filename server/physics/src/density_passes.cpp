@@ -7,8 +7,8 @@
 
 #include "density_output.hpp"
 #include "gradient_storage.hpp"
-#include "gradient_sums-inl.hpp"
 #include "group_blocks.hpp"
+#include "solid_pairs-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace pelagos {
@@ -21,7 +21,8 @@ constexpr float kWallShare = 0.1F;
 
 /// The inverse of M blended into the unit matrix where M is nearly singular and at walls. Weight as in
 /// compute_corrections.
-HWY_INLINE void store_correction(const Symmetric& m, FloatV walls, Float4* first, Float4* second) {
+/// @param rough  0 to 1: how far the correction has ended at solids' skew corners
+HWY_INLINE void store_correction(const Symmetric& m, FloatV walls, FloatV rough, Float4* first, Float4* second) {
   const FloatTag d;
   const FloatV one = hn::Set(d, 1.0F), zero = hn::Zero(d);
   const auto minor = [](FloatV a, FloatV b, FloatV c, FloatV e)
@@ -31,7 +32,8 @@ HWY_INLINE void store_correction(const Symmetric& m, FloatV walls, Float4* first
                cyz = minor(m.xy, m.xz, m.xx, m.yz), czz = minor(m.xx, m.yy, m.xy, m.xy);
   const FloatV det = hn::MulAdd(m.xx, cxx, hn::MulAdd(m.xy, cxy, hn::Mul(m.xz, cxz)));
   const FloatV t = hn::Min(one, hn::Max(zero, hn::Mul(hn::Sub(det, hn::Set(d, 0.05F)), hn::Set(d, 1.0F / 0.15F))));
-  const FloatV away = hn::Max(zero, hn::NegMulAdd(walls, hn::Set(d, 1.0F / kWallShare), one));
+  const FloatV away =
+      hn::Min(hn::Max(zero, hn::NegMulAdd(walls, hn::Set(d, 1.0F / kWallShare), one)), hn::Sub(one, rough));
   const FloatV w = hn::Mul(away, hn::Mul(hn::Mul(t, t), hn::NegMulAdd(hn::Set(d, 2.0F), t, hn::Set(d, 3.0F))));
   const FloatV rest = hn::Sub(one, w);
   const FloatV factor = hn::Div(w, hn::Max(det, hn::Set(d, 0.04F)));
@@ -42,8 +44,8 @@ HWY_INLINE void store_correction(const Symmetric& m, FloatV walls, Float4* first
 }
 
 /// M -= scale x g^T, which is symmetric because g is along x.
-HWY_INLINE void add_moments(const PairGeometry& pair, const Vec3& g, FloatV scale, Symmetric& m) {
-  const FloatV x = hn::Mul(scale, pair.x), y = hn::Mul(scale, pair.y), z = hn::Mul(scale, pair.z);
+HWY_INLINE void add_moments(const Vec3& along, const Vec3& g, FloatV scale, Symmetric& m) {
+  const FloatV x = hn::Mul(scale, along.x), y = hn::Mul(scale, along.y), z = hn::Mul(scale, along.z);
   m.xx = hn::NegMulAdd(x, g.x, m.xx);
   m.xy = hn::NegMulAdd(x, g.y, m.xy);
   m.xz = hn::NegMulAdd(x, g.z, m.xz);
@@ -52,59 +54,133 @@ HWY_INLINE void add_moments(const PairGeometry& pair, const Vec3& g, FloatV scal
   m.zz = hn::NegMulAdd(z, g.z, m.zz);
 }
 
+/// Sums over the neighbours of a vector of particles.
+struct DensitySums {
+  FloatV weight, lightest;  ///< of the kernel, to a factor; the lighter phase's mark
+  GradientSums gradients;
+  Symmetric moments;
+};
+
+/// One neighbour each of a vector of particles, with its images in the surfaces of the slots kUsed. Gradients are kept.
+template <bool kMoments, unsigned kUsed>
+HWY_INLINE void add_images(const PairData& data, const KernelScales& scales, const PairGeometry& pair,
+                           const Vec3& plain, const Mirrors& own, const Mirrors& other, CachedGradient* kept,
+                           CachedGradient* kept_other, DensitySums& sums, SolidWalls& walls) {
+  const FloatV inverse_spacing = hn::Set(FloatTag(), 1.0F / data.spacing);
+  Vec3 g = plain, back = plain;
+  for_each_image<kUsed>([&](auto slots) HWY_ATTR {
+    constexpr unsigned kIn = decltype(slots)::value;
+    const ImagePair image = image_pair<kIn>(own, other, pair);
+    const KernelPair kernel = cubic_spline(image.squared, scales.support, scales.inverse_support);
+    const FloatV factor = hn::Mul(kernel.gradient_factor, scales.gradient_spacing), share = share_of<kIn>(own);
+    const FloatV own_factor = hn::Mul(factor, share);
+    sums.weight = hn::MulAdd(kernel.value, share, sums.weight);
+    const Vec3 along_a = scaled(image.a, own_factor), along_b = scaled(image.b, own_factor);
+    if constexpr (kMoments) add_moments(image.a, along_a, inverse_spacing, sums.moments);
+    add_to(g, along_b);
+    add_wall<kIn>(subtract(along_a, along_b), walls);
+    add_to(back, scaled(image.a, hn::Mul(factor, share_of<kIn>(other))));
+  });
+  const Vec3 rounded = keep_gradient(g, kept);
+  keep_gradient(back, kept_other);
+  add_to(sums.gradients.sum, rounded);
+  sums.gradients.squares = dot(rounded, rounded, sums.gradients.squares);
+}
+
+template <bool kMoments, bool kPhases, unsigned kUsed>
+HWY_INLINE void add_fluid(const PairData& data, const KernelScales& scales, std::size_t group, std::size_t lane,
+                          std::size_t i, const Vec4& own, const DensityOutput& out, DensitySums& sums,
+                          SolidWalls& walls) {
+  auto *cache = static_cast<CachedGradient*>(out.cache_words), *others = static_cast<CachedGradient*>(out.other_words);
+  const FloatV inverse_spacing = hn::Set(FloatTag(), 1.0F / data.spacing);
+  Mirrors mirrors;
+  if constexpr (kUsed != 0U) mirrors = own_mirrors<kUsed>(data, i, {own.x, own.y, own.z});
+  const NeighborList::SlotRange fluid = data.fluid->groups[group];
+  for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
+    const std::int32_t* index = data.fluid->slots.data() + s * kLanes + lane;
+    const Vec4 other = gather_records(data.position, index);
+    const PairGeometry pair = difference(own, other);
+    const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
+    const Vec3 plain = scaled(pair, hn::Mul(kernel.gradient_factor, scales.gradient_spacing));
+    const std::size_t at = s * kCacheStride + lane;
+    sums.weight = hn::Add(sums.weight, kernel.value);
+    if constexpr (kPhases) sums.lightest = hn::Max(sums.lightest, other.w);
+    if constexpr (kUsed == 0U) {
+      const Vec3 g = keep_gradient(plain, cache + at);
+      add_to(sums.gradients.sum, g);
+      sums.gradients.squares = dot(g, g, sums.gradients.squares);
+      if constexpr (kMoments) add_moments({pair.x, pair.y, pair.z}, g, inverse_spacing, sums.moments);
+    } else {
+      if constexpr (kMoments) add_moments({pair.x, pair.y, pair.z}, plain, inverse_spacing, sums.moments);
+      const Mirrors its = other_mirrors<kUsed>(data, index, {other.x, other.y, other.z});
+      add_images<kMoments, kUsed>(data, scales, pair, plain, mirrors, its, cache + at, others + at, sums, walls);
+    }
+  }
+}
+
+/// What boundary samples add to density, gradient, rate and moments.
+struct SampleSums {
+  FloatV density, rate;
+  Vec3 gradient;
+};
+template <bool kMoments>
+HWY_INLINE SampleSums sum_samples(const PairData& data, const KernelScales& scales, std::size_t group, std::size_t lane,
+                                  const Vec4& own, Symmetric& moments) {
+  const FloatTag d;
+  SampleSums sums{hn::Zero(d), hn::Zero(d), zero3()};
+  const NeighborList::SlotRange walls = data.boundary->groups[group];
+  for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
+    const std::int32_t* index = data.boundary->slots.data() + s * kLanes + lane;
+    const Vec4 other = gather_records(data.walls->position.data(), index);
+    const PairGeometry pair = difference(own, other);
+    const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
+    sums.density = hn::MulAdd(hn::Mul(kernel.value, scales.wall_value), other.w, sums.density);
+    const Vec3 g = scaled(pair, hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w));
+    add_to(sums.gradient, g);
+    if constexpr (kMoments) add_moments({pair.x, pair.y, pair.z}, g, hn::Set(d, 1.0F), moments);
+    if (data.walls_move) {
+      const Vec4 v = gather_records(data.walls->velocity.data(), index);
+      sums.rate = dot({v.x, v.y, v.z}, g, sums.rate);
+    }
+  }
+  return sums;
+}
+
+template <bool kMoments, bool kPhases, unsigned kUsed>
+HWY_INLINE void density_part(const PairData& data, const KernelScales& scales, std::size_t group, std::size_t lane,
+                             std::size_t i, const DensityOutput& out) {
+  const FloatTag d;
+  const Vec4 own = load_records(data.position + i);
+  const FloatV zero = hn::Zero(d);
+  DensitySums sums{zero, own.w, {zero3(), zero}, {zero, zero, zero, zero, zero, zero}};
+  SolidWalls solids = no_solid_walls();
+  add_fluid<kMoments, kPhases, kUsed>(data, scales, group, lane, i, own, out, sums, solids);
+  SampleSums samples = sum_samples<kMoments>(data, scales, group, lane, own, sums.moments);
+  if constexpr (kUsed != 0U) add_to(samples.gradient, store_solid_walls(data, solids, i, out.solid_wall));
+  hn::StoreU(hn::MulAdd(sums.weight, scales.value, samples.density), d, out.delta + i);
+  store_gradient_sums(data, sums.gradients, samples.gradient, samples.rate, i, out.sum, out.wall, out.alpha);
+  if constexpr (kMoments) {
+    FloatV rough = zero;
+    if constexpr (kUsed == 3U) rough = hn::Sub(hn::Set(d, 1.0F), load_records(data.solids->blend.data() + i).w);
+    store_correction(sums.moments, samples.density, rough, out.first + i, out.second + i);
+  }
+  if constexpr (kPhases) {
+    const FloatV mobility =
+        choose_phase(is_light(sums.lightest), data.phases->light_mobility, data.phases->heavy_mobility);
+    hn::StoreU(mobility, d, out.mobility + i);
+    divide_alpha(mobility, out.alpha + i);
+  }
+}
+
 template <bool kMoments, bool kPhases>
 HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_group, std::size_t last_group,
                                     const DensityOutput& out) {
-  const FloatTag d;
-  auto* cache = static_cast<CachedGradient*>(out.cache_words);
   const KernelScales scales = kernel_scales(data);
-  const FloatV inverse_spacing = hn::Set(d, 1.0F / data.spacing);
   for (std::size_t group = first_group; group < last_group; ++group)
-    for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
-      const Vec4 own = load_records(data.position + i);
-      const FloatV zero = hn::Zero(d);
-      FloatV weight = zero, lightest = own.w;
-      GradientSums sums{zero3(), zero};
-      Symmetric moments{zero, zero, zero, zero, zero, zero};
-      const NeighborList::SlotRange fluid = data.fluid->groups[group];
-      for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {
-        const Vec4 other = gather_records(data.position, data.fluid->slots.data() + s * kLanes + lane);
-        const PairGeometry pair = difference(own, other);
-        const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
-        const Vec3 g = keep_gradient(scaled(pair, hn::Mul(kernel.gradient_factor, scales.gradient_spacing)),
-                                     cache + s * kCacheStride + lane);
-        weight = hn::Add(weight, kernel.value);
-        add_to(sums.sum, g);
-        sums.squares = dot(g, g, sums.squares);
-        if constexpr (kMoments) add_moments(pair, g, inverse_spacing, moments);
-        if constexpr (kPhases) lightest = hn::Max(lightest, other.w);
-      }
-      FloatV wall_density = zero, rate = zero;
-      Vec3 wall_sum = zero3();
-      const NeighborList::SlotRange walls = data.boundary->groups[group];
-      for (std::uint32_t s = walls.begin; s < walls.end; ++s) {
-        const std::int32_t* index = data.boundary->slots.data() + s * kLanes + lane;
-        const Vec4 other = gather_records(data.walls->position.data(), index);
-        const PairGeometry pair = difference(own, other);
-        const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
-        wall_density = hn::MulAdd(hn::Mul(kernel.value, scales.wall_value), other.w, wall_density);
-        const Vec3 g = scaled(pair, hn::Mul(hn::Mul(kernel.gradient_factor, scales.wall_gradient), other.w));
-        add_to(wall_sum, g);
-        if constexpr (kMoments) add_moments(pair, g, hn::Set(d, 1.0F), moments);
-        if (data.walls_move) {
-          const Vec4 v = gather_records(data.walls->velocity.data(), index);
-          rate = dot({v.x, v.y, v.z}, g, rate);
-        }
-      }
-      hn::StoreU(hn::MulAdd(weight, scales.value, wall_density), d, out.delta + i);
-      store_gradient_sums(data, sums, wall_sum, rate, i, out.sum, out.wall, out.alpha);
-      if constexpr (kMoments) store_correction(moments, wall_density, out.first + i, out.second + i);
-      if constexpr (kPhases) {
-        const FloatV mobility =
-            choose_phase(is_light(lightest), data.phases->light_mobility, data.phases->heavy_mobility);
-        hn::StoreU(mobility, d, out.mobility + i);
-        divide_alpha(mobility, out.alpha + i);
-      }
+    with_slots(data, group, [&](auto slots) HWY_ATTR {
+      for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
+        density_part<kMoments, kPhases, decltype(slots)::value>(data, scales, group, lane, i, out);
+      });
     });
 }
 
@@ -160,6 +236,9 @@ DensityOutput density_output(std::span<float> delta, Gradients& gradients) {
   out.sum = gradients.sum.data();
   out.wall = gradients.wall.data();
   out.cache_words = gradients.own.words.data();
+  out.other_words = gradients.other.words.data();
+  for (std::size_t slot = 0; slot < SolidPlanes::kSlots; ++slot)
+    out.solid_wall[slot] = gradients.solid_wall[slot].data();
   out.mobility = gradients.mobility.data();
   return out;
 }
@@ -174,7 +253,9 @@ void reserve_gradients(const PairData& data, bool corrected, Gradients& gradient
   gradients.wall.resize(padded);
   if (data.phases) gradients.mobility.resize(padded);
   reserve_cache(data, gradients.own);
-  if (corrected) reserve_cache(data, gradients.other);
+  if (corrected || data.solids) reserve_cache(data, gradients.other);
+  if (data.solids)
+    for (std::vector<Float4>& wall : gradients.solid_wall) wall.resize(padded);
 }
 
 void compute_density(TaskPool& pool, const PairData& data, std::span<float> delta, Gradients& gradients) {

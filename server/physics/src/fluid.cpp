@@ -8,6 +8,7 @@
 
 #include "fluid_stages.hpp"
 #include "physics/boundary.hpp"
+#include "sample_images.hpp"
 #include "solve_passes.hpp"
 #include "vector_kernels.hpp"
 
@@ -84,7 +85,10 @@ void add_static_walls(TaskPool& pool, FluidState& state, std::span<const Float4>
   if (samples.empty()) return;
   const auto tank = state.walls.position.begin();
   std::vector<Float4> all(tank, tank + static_cast<std::ptrdiff_t>(state.static_walls));
-  all.insert(all.end(), samples.begin(), samples.end());
+  const FluidParameters& q = state.parameters;
+  for (const PlacedSample& sample :
+       place_with_images(q.tank, q.edges, static_cast<float>(q.support_radius), static_cast<float>(q.spacing), samples))
+    all.push_back(sample.position);
   sort_static_walls(pool, state, all);
 }
 
@@ -154,6 +158,7 @@ void start_phase_acceleration(TaskPool& pool, FluidState& state, StepReport& rep
 
 void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report) {
   const FluidParameters& q = state.parameters;
+  if (!state.density_present && !state.solids.empty()) refresh_density(pool, state, report);
   if (state.oil_count > 0) {
     start_phase_acceleration(pool, state, report);
     return;

@@ -4,6 +4,7 @@
 
 #include "constraint_sources.hpp"
 #include "moving_walls.hpp"
+#include "solid_planes.hpp"
 #include "solve_passes.hpp"
 
 namespace pelagos {
@@ -28,6 +29,7 @@ PairData pair_data(const FluidState& state) {
   data.volume = static_cast<float>(state.parameters.volume());
   data.spacing = static_cast<float>(state.parameters.spacing);
   data.phases = state.oil_count > 0 ? &state.phases : nullptr;
+  data.solids = state.solids.empty() ? nullptr : &state.solid_planes;
   return data;
 }
 
@@ -108,6 +110,7 @@ void search_neighbors(TaskPool& pool, FluidState& state, StepReport& report) {
 }
 
 void refresh_density(TaskPool& pool, FluidState& state, StepReport& report) {
+  find_solid_planes(pool, state);
   compute_density(pool, pair_data(state), state.particles.density, state.gradients);
   state.density_present = true;
   ++report.pair_passes;

@@ -22,6 +22,10 @@ constexpr float kAlphaFloor = 1e-6F;
 struct Symmetric {
   FloatV xx, xy, xz, yy, yz, zz;
 };
+/// Of a correction's two records.
+HWY_INLINE Symmetric symmetric(const Vec4& first, const Vec4& second) {
+  return {first.x, first.y, first.z, first.w, second.x, second.y};
+}
 HWY_INLINE Vec3 multiply(const Symmetric& m, const Vec3& v) {
   const auto row = [&](FloatV a, FloatV b, FloatV c)
                        HWY_ATTR { return hn::MulAdd(a, v.x, hn::MulAdd(b, v.y, hn::Mul(c, v.z))); };

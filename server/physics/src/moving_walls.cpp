@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "fluid_stages.hpp"
+#include "sample_images.hpp"
 
 namespace pelagos {
 
@@ -23,22 +24,31 @@ std::int32_t body_of_sample(const BodyCoupling& coupling, std::size_t sample) {
 
 void sort_moving_walls(TaskPool& pool, FluidState& state) {
   BoundaryParticles& walls = state.walls;
-  const std::size_t moving = state.moving_position.size();
-  assert(state.moving_velocity.size() == moving);
+  assert(state.moving_velocity.size() == state.moving_position.size());
   state.walls_move = false;
-  if (moving == 0) return;
-  state.moving_grid.sort(pool, state.moving_position, state.order);
+  if (state.moving_position.empty()) return;
+  const FluidParameters& q = state.parameters;
+  const std::vector<PlacedSample> placed = place_with_images(q.tank, q.edges, static_cast<float>(q.support_radius),
+                                                             static_cast<float>(q.spacing), state.moving_position);
+  const std::size_t moving = placed.size();
+  std::vector<Float4> positions(moving);
+  for (std::size_t k = 0; k < moving; ++k) positions[k] = placed[k].position;
+  state.moving_grid.sort(pool, positions, state.order);
   walls.count = state.static_walls + moving;
   walls.position.resize(padded_count(walls.count));
   walls.velocity.resize(padded_count(walls.count));
-  std::vector<std::int32_t>& owner = state.coupling.sample_body;
-  owner.resize(moving);
+  std::vector<BodySample>& samples = state.coupling.samples;
+  samples.resize(moving);
   for (std::size_t k = 0; k < moving; ++k) {
-    const std::size_t sample = state.order[k];
-    owner[k] = body_of_sample(state.coupling, sample);
-    walls.position[state.static_walls + k] = state.moving_position[sample];
-    walls.velocity[state.static_walls + k] = owner[k] < 0 ? state.moving_velocity[sample] : Float4{};
-    state.walls_move = state.walls_move || owner[k] < 0;
+    const PlacedSample& sample = placed[state.order[k]];
+    samples[k] = {body_of_sample(state.coupling, sample.source), sample.source, sample.sign};
+    walls.position[state.static_walls + k] = sample.position;
+    Float4& velocity = walls.velocity[state.static_walls + k];
+    velocity = {};
+    if (samples[k].body >= 0) continue;
+    const Float4& v = state.moving_velocity[sample.source];
+    velocity = {sample.sign.x * v.x, sample.sign.y * v.y, sample.sign.z * v.z, 0.0F};
+    state.walls_move = true;
   }
   for (std::size_t k = walls.count; k < walls.position.size(); ++k) walls.position[k] = kFarRecord;
   for (std::size_t k = walls.count; k < walls.velocity.size(); ++k) walls.velocity[k] = {};

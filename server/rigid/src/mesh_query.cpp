@@ -132,18 +132,27 @@ double MeshQuery::distance(const Eigen::Vector3d& point, double limit) const {
   return std::sqrt(nearest);
 }
 
-bool MeshQuery::behind(const Eigen::Vector3d& point) const {
+std::optional<NearestPlace> MeshQuery::nearest(const Eigen::Vector3d& point, double limit) const {
   constexpr double kSlack = 1.0 + 1e-9;  // of a squared distance: nearer by less is as near
-  double nearest = std::numeric_limits<double>::infinity(), height = 0.0;
-  for_each_near(point, nearest, [&](const Triangle& triangle, const Eigen::Vector3d& place) {
-    const double squared = (point - place).squaredNorm();
-    const double above = triangle.normal().dot(point - place);
-    if (squared * kSlack < nearest || (squared <= nearest * kSlack && std::abs(above) > std::abs(height)))
-      height = above;
-    nearest = std::min(nearest, squared);
-    return nearest * kSlack * kSlack;
+  double squared_limit = limit * limit;
+  std::optional<NearestPlace> found;
+  for_each_near(point, squared_limit, [&](const Triangle& triangle, const Eigen::Vector3d& place) {
+    const double squared = (point - place).squaredNorm(), best = found ? found->distance : limit * limit;
+    const Eigen::Vector3d normal = triangle.normal();
+    const double above = normal.dot(point - place);
+    const bool nearer = squared * kSlack < best;
+    if (nearer || (found && squared <= best * kSlack && std::abs(above) > std::abs(found->height)))
+      found = {place, normal, nearer ? squared : std::min(squared, best), above};
+    if (found) squared_limit = found->distance * kSlack * kSlack;
+    return squared_limit;
   });
-  return height < 0.0;
+  if (found) found->distance = std::sqrt(found->distance);
+  return found;
+}
+
+bool MeshQuery::behind(const Eigen::Vector3d& point) const {
+  const auto found = nearest(point, std::numeric_limits<double>::infinity());
+  return found && found->height < 0.0;
 }
 
 template <class Visit>

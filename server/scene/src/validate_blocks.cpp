@@ -25,7 +25,7 @@ bool overlap(const Box& a, const Box& b, double slack) {
   return (a.min.array() < b.max.array() - slack).all() && (b.min.array() < a.max.array() - slack).all();
 }
 
-/// Least size of a block that holds a particle: 2 spacings between walls, one where the axis has none.
+/// Least size of a block that holds a particle: 2 spacings between sampled walls, one where the axis has none.
 Eigen::Vector3d least_block(const TankEdges& edges, double spacing) {
   return 2.0 * spacing * Eigen::Vector3d(lattice_offset(edges[0]), lattice_offset(edges[1]), lattice_offset(edges[2]));
 }
@@ -37,7 +37,7 @@ void refuse_small_block(const FieldReader& entry, const Box& block, double spaci
                         format_number(least.x()) + " m (2 particle spacings) along each axis");
   } else {
     entry.fault("", "is too small for one particle: " + describe(block.size()) + " m; allowed: at least " +
-                        describe(least) + " m (2 particle spacings between walls, else 1)");
+                        describe(least) + " m (2 particle spacings between sampled walls, else 1)");
   }
 }
 

@@ -8,6 +8,7 @@
 #include "messages/read_probe.hpp"
 #include "messages/read_wind.hpp"
 #include "scene.pb.h"
+#include "values/lattice.hpp"
 
 namespace pelagos {
 namespace {
@@ -78,6 +79,18 @@ TankEdges read_edges(const FieldReader& reader, const Basis& basis, const std::o
   return edges;
 }
 
+/// Of the faces that the solver samples.
+void refuse_many_wall_particles(const FieldReader& reader, const Box& tank, double spacing, const TankEdges& edges) {
+  const Eigen::Vector3d sides = tank.size() / spacing;
+  double walls = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (edges[axis] == TankEdge::kWall) walls += 2.0 * sides.prod() / sides[static_cast<int>(axis)];
+  if (!(walls > kMostWallParticles)) return;
+  reader.child("tank").fault("", "needs about " + format_count(std::round(walls)) +
+                                     " wall particles at this spacing; allowed: " + format_count(kMostWallParticles) +
+                                     " (a larger particle_spacing or a smaller tank)");
+}
+
 std::optional<Box> read_tank(const FieldReader& reader, const Basis& basis) {
   if (!reader.require("tank")) return std::nullopt;
   const FieldReader tank_reader = reader.child("tank");
@@ -89,12 +102,6 @@ std::optional<Box> read_tank(const FieldReader& reader, const Basis& basis) {
     tank_reader.fault("", "is " + format_number(tank->size().minCoeff()) + " m at its narrowest; allowed: at least " +
                               format_number(least * *basis.spacing) + " m (" + format_number(least) +
                               " particle spacings: the support of a kernel)");
-  }
-  const double walls = 2.0 * (sides.x() * sides.y() + sides.y() * sides.z() + sides.z() * sides.x());
-  if (walls > kMostWallParticles) {
-    tank_reader.fault("", "needs about " + format_count(std::round(walls)) +
-                              " wall particles at this spacing; allowed: " + format_count(kMostWallParticles) +
-                              " (a larger particle_spacing or a smaller tank)");
   }
   const double cells = sides.prod() / std::pow(basis.support_radius, 3.0);
   if (cells > kMostCells) {
@@ -212,9 +219,10 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
   scene.frame_interval = 1.0 / frame_rate;
   scene.time_step = validate_time_step(reader, basis);
   scene.solver = validate_solver(reader);
+  if (tank && basis.spacing) refuse_many_wall_particles(reader, *tank, *basis.spacing, water_edges(scene));
   scene.governor = validate_governor(reader, basis, scene);
   if (reader.read_enum("on_fault") == proto::v1::Scene::RESTORE) scene.on_fault = FaultPolicy::kRestore;
-  BlockReader blocks(basis, tank, scene.tank_edges);
+  BlockReader blocks(basis, tank, water_edges(scene));
   scene.water = read_water(reader, basis, scene, blocks);
   scene.oil = validate_oil(reader, scene.water.rest_density, blocks);
 

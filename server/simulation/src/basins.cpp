@@ -51,10 +51,10 @@ double highest(std::span<const Float4> position, const PatchFrame& frame) {
 Places find_places(TaskPool& pool, const Scene& scene, const Bodies& bodies, double top) {
   Places places;
   const double d = scene.particle_spacing;
-  const auto counts = lattice_counts(scene.tank, d, scene.tank_edges);
+  const auto counts = lattice_counts(scene.tank, d, water_edges(scene));
   places.spacing = d;
   for (int axis = 0; axis < 3; ++axis)
-    places.first[axis] = scene.tank.min[axis] + d * lattice_offset(scene.tank_edges[static_cast<std::size_t>(axis)]);
+    places.first[axis] = scene.tank.min[axis] + d * lattice_offset(water_edges(scene)[static_cast<std::size_t>(axis)]);
   for (std::size_t axis = 0; axis < 2; ++axis) places.periodic[axis] = scene.tank_edges[axis] == TankEdge::kPeriodic;
   const double layers = std::min(static_cast<double>(counts[2]), std::floor((top - places.first.z()) / d + 1.5));
   const double all = static_cast<double>(counts[0]) * static_cast<double>(counts[1]) * layers;
@@ -205,9 +205,9 @@ class Filling {
 
 double level_without_bodies(const Scene& scene) {
   const double d = scene.particle_spacing;
-  const auto floor = lattice_counts(scene.tank, d, scene.tank_edges);
+  const auto floor = lattice_counts(scene.tank, d, water_edges(scene));
   const double layers = particle_count(scene) / static_cast<double>(floor[0] * floor[1]);
-  return scene.tank.min.z() + (layers - 0.5 + lattice_offset(scene.tank_edges[2])) * d;
+  return scene.tank.min.z() + (layers - 0.5 + lattice_offset(water_edges(scene)[2])) * d;
 }
 
 }  // namespace

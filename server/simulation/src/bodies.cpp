@@ -8,6 +8,7 @@
 #include "body_faults.hpp"
 #include "physics/boundary.hpp"
 #include "rigid/convex_hull.hpp"
+#include "rigid/distance_field.hpp"
 #include "simulation/wetted_body.hpp"
 
 namespace pelagos {
@@ -62,6 +63,28 @@ bool lies_in(const Box& block, double spacing, const Hold& hold, const BodyState
 constexpr double kLargerHull = 0.1;      ///< than the mesh: worth a note
 constexpr double kWaterClearance = 1.0;  ///< spacings of water at rest from a hull's samples
 
+constexpr double kFieldCell = 0.5;  ///< spacings between the nodes of a surface's distance field
+/// A surface is met by its distance field where at most so large a share of it is thinner than so many spacings: water
+/// on the two sides of a thinner plate would act through it.
+constexpr double kThinForFields = 1.5, kMostThin = 0.1;
+
+Eigen::AlignedBox3d everywhere() {
+  constexpr double kFar = 1e9;
+  return {Eigen::Vector3d::Constant(-kFar), Eigen::Vector3d::Constant(kFar)};
+}
+
+/// The tank and `margin` around it, as a box in the body's axes.
+Eigen::AlignedBox3d tank_around(const Scene& scene, const BodyState& state, double margin) {
+  Eigen::AlignedBox3d box;
+  for (int corner = 0; corner < 8; ++corner) {
+    Eigen::Vector3d x;
+    for (int axis = 0; axis < 3; ++axis)
+      x[axis] = (corner >> axis & 1) != 0 ? scene.tank.max[axis] + margin : scene.tank.min[axis] - margin;
+    box.extend(to_body(state, x));
+  }
+  return box;
+}
+
 constexpr double kHullOverlap = 0.5;  ///< spacings that a body may stand in another's hull at the start
 
 }  // namespace
@@ -82,7 +105,7 @@ Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::v
       body.held = settings.free_from > 0.0;
       body.free.emplace(body.state, body_mass(settings.mass, body.shape.solid), freedom_of(settings.drive));
     }
-    add_samples(pool, scene, support_radius, body);
+    add_surface(pool, scene, support_radius, body);
     bodies_.push_back(std::move(body));
   }
   faults = body_faults(scene, support_radius, placed());
@@ -123,6 +146,17 @@ void Bodies::make_contacts(const Scene& scene) {
     else
       contacts.add_scenery(body.shape.mesh, body.state.position, body.state.orientation);
   }
+}
+
+void Bodies::add_surface(TaskPool& pool, const Scene& scene, double support_radius, Body& body) {
+  const bool fields = scene.solver.kind == SolverKind::kCorrected && body.shape.faults.empty() &&
+                      !body.settings.sample_inset && thin_share(body.shape, kThinForFields * spacing_) < kMostThin;
+  if (fields) {
+    FieldExtent extent{kFieldCell * spacing_, support_radius, {}};
+    extent.within = body.moves() ? everywhere() : tank_around(scene, body.state, support_radius);
+    body.fields = make_distance_fields(pool, body.shape, extent);
+  }
+  if (body.fields.empty()) add_samples(pool, scene, support_radius, body);
 }
 
 void Bodies::add_samples(TaskPool& pool, const Scene& scene, double support_radius, Body& body) {
@@ -343,7 +377,7 @@ std::vector<BodyLoad> Bodies::take_loads(const PatchFrame& frame, const FluidSta
                                          double still_level) {
   std::vector<BodyLoad> loads;
   measure_holds(frame, fluid);
-  if (volumes_.empty()) return loads;
+  if (std::none_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.moves(); })) return loads;
   std::vector<SurfacePlace> places;
   for (const Body& body : bodies_)
     if (body.moves())
@@ -378,20 +412,33 @@ void Bodies::place(const PatchFrame& frame, FluidState& fluid) const {
   fluid.moving_position.resize(volumes_.size());
   fluid.moving_velocity.resize(volumes_.size());
   fluid.coupling.bodies.clear();
+  fluid.solids.clear();
   for (const Body& body : bodies_) {
+    place_fields(body, frame, fluid);
     if (!body.moves()) continue;
-    const std::size_t count = body.shape.samples.size();
-    place_samples(body.shape, body.state, frame, std::span(fluid.moving_position).subspan(body.first_sample, count),
-                  std::span(fluid.moving_velocity).subspan(body.first_sample, count));
+    if (const std::size_t count = body.sample_count(); count > 0)
+      place_samples(body.shape, body.state, frame, std::span(fluid.moving_position).subspan(body.first_sample, count),
+                    std::span(fluid.moving_velocity).subspan(body.first_sample, count));
     fluid.coupling.bodies.push_back(coupled_body(body, frame));
   }
   for (std::size_t k = 0; k < volumes_.size(); ++k) fluid.moving_position[k].w = volumes_[k];
 }
 
+void Bodies::place_fields(const Body& body, const PatchFrame& frame, FluidState& fluid) {
+  Solid solid;
+  solid.turn = body.state.orientation.toRotationMatrix().cast<float>();
+  solid.place = frame.to_local(body.state.position).cast<float>();
+  if (body.moves()) solid.body = static_cast<std::int32_t>(fluid.coupling.bodies.size());
+  for (const auto& field : body.fields) {
+    solid.field = field;
+    fluid.solids.push_back(solid);
+  }
+}
+
 CoupledBody Bodies::coupled_body(const Body& body, const PatchFrame& frame) {
   CoupledBody coupled;
   coupled.first_sample = body.first_sample;
-  coupled.sample_count = body.shape.samples.size();
+  coupled.sample_count = body.sample_count();
   coupled.centre = frame.to_local(body.free ? body.free->centre() : body.state.position);
   if (body.held) return coupled;
   coupled.velocity = body.free ? body.free->velocity() : body.state.velocity;

@@ -72,10 +72,10 @@ PhaseParameters phase_parameters(const OilProperties& oil, double water_viscosit
 void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, const PatchFrame& frame,
                 std::vector<Float4>& positions) {
   const double d = scene.particle_spacing;
-  const auto counts = lattice_counts(block, d, scene.tank_edges);
+  const TankEdges edges = water_edges(scene);
+  const auto counts = lattice_counts(block, d, edges);
   const Eigen::Vector3d first =
-      block.min + d * Eigen::Vector3d(lattice_offset(scene.tank_edges[0]), lattice_offset(scene.tank_edges[1]),
-                                      lattice_offset(scene.tank_edges[2]));
+      block.min + d * Eigen::Vector3d(lattice_offset(edges[0]), lattice_offset(edges[1]), lattice_offset(edges[2]));
   for (std::int64_t k = 0; k < counts[2]; ++k)
     for (std::int64_t j = 0; j < counts[1]; ++j)
       for (std::int64_t i = 0; i < counts[0]; ++i) {
@@ -103,7 +103,7 @@ FluidParameters fluid_parameters(const Scene& scene, const PatchFrame& frame) {
     p.tank.min[axis] = static_cast<float>(box.min[axis]);
     p.tank.max[axis] = static_cast<float>(box.max[axis]);
   }
-  for (std::size_t axis = 0; axis < 3; ++axis) p.edges[axis] = edge_of(scene.tank_edges[axis]);
+  for (std::size_t axis = 0; axis < 3; ++axis) p.edges[axis] = edge_of(water_edges(scene)[axis]);
   apply_solver(scene.solver, p);
   p.filter *= depth_measures(p.scheme, depth_in_spacings(scene)).filter_factor;
   return p;

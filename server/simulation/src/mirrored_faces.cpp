@@ -10,9 +10,8 @@ namespace pelagos {
 
 namespace {
 
-constexpr double kReach = 0.45;         ///< spacings past a face: enough to hold water (0.5 does, 0.25 does not)
 constexpr double kLeastDistance = 0.8;  ///< spacings between samples
-constexpr double kAtFace = 0.02;        ///< spacings: nearer is at the face
+constexpr double kAtFace = 0.02;        ///< spacings: a smaller gap is none
 constexpr double kCloseBy = 2.0;        ///< spacings: what holds the water at a place lies no farther along the face
 constexpr double kLookBeyond = 4.0;     ///< spacings past a face: samples farther out say nothing of the place at it
 
@@ -72,23 +71,21 @@ bool is_buried(const PlacedShape& body, std::span<const PlacedShape> bodies, con
   });
 }
 
+/// Whether the body goes up to the face here: beyond it the water meets its image.
+bool goes_on(const NearSample& sample, double d) { return sample.reach >= -kAtFace * d; }
+
 std::string describe_end(const Scene& scene, double support_radius, const Face& face, const PlacedShape& body,
                          const NearSample& sample) {
   const char axis = "xyz"[face.axis];
-  const double reach = sample.reach;
-  std::string where = "ends at";
-  if (reach > kAtFace * scene.particle_spacing) where = fmt::format("reaches only {:.3g} m past", reach);
-  if (reach < -kAtFace * scene.particle_spacing) where = fmt::format("ends {:.3g} m before", -reach);
   const std::string cure =
-      body.settings->drive == BodyDrive::kFree
-          ? ""
-          : fmt::format("let it reach {:g} m or more past the face (one spacing), or ", scene.particle_spacing);
+      body.settings->drive == BodyDrive::kFree ? "" : "let it reach the face, where it goes on as its image, or ";
   return fmt::format(
-      "{}: it {} the mirrored face {} = {:g} m, near ({:.3g}, {:.3g}, {:.3g}) m. Bodies have no images beyond mirrored "
-      "faces, so water leaks past it there: {}keep it {:g} m away from the face (a support radius), or set "
-      "tank_edges {}: WALL",
-      body.name(), where, axis, face.place, sample.place.x(), sample.place.y(), sample.place.z(), cure, support_radius,
-      axis);
+      "{}: it ends {:.3g} m before the mirrored face {} = {:g} m, near ({:.3g}, {:.3g}, {:.3g}) m. Water passes the "
+      "gap, "
+      "which is too narrow for particles of {:g} m to flow as water would: {}keep it {:g} m away from the face (a "
+      "support radius)",
+      body.name(), -sample.reach, axis, face.place, sample.place.x(), sample.place.y(), sample.place.z(),
+      scene.particle_spacing, cure, support_radius);
 }
 
 /// The sample that is nearest to the face of those that nothing beyond it holds.
@@ -96,7 +93,7 @@ std::optional<NearSample> find_end(const Scene& scene, const PlacedShape& body, 
                                    std::span<const NearSample> own, std::span<const NearSample> beyond) {
   std::optional<NearSample> end;
   for (const NearSample& sample : own) {
-    if (sample.reach >= kReach * scene.particle_spacing || (end && sample.reach <= end->reach)) continue;
+    if (goes_on(sample, scene.particle_spacing) || (end && sample.reach <= end->reach)) continue;
     if (is_held(sample, beyond, scene.particle_spacing) || is_buried(body, bodies, sample.place)) continue;
     end = sample;
   }
@@ -119,7 +116,7 @@ std::vector<std::string> mirrored_face_notes(const Scene& scene, double support_
       for (const PlacedShape& body : bodies) {
         of_body.push_back(samples_near(scene, face, level, support_radius, body));
         std::copy_if(of_body.back().begin(), of_body.back().end(), std::back_inserter(beyond),
-                     [&](const NearSample& sample) { return sample.reach >= kReach * scene.particle_spacing; });
+                     [&](const NearSample& sample) { return goes_on(sample, scene.particle_spacing); });
       }
       for (std::size_t k = 0; k < bodies.size(); ++k)
         if (const auto end = find_end(scene, bodies[k], bodies, of_body[k], beyond))

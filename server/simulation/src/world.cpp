@@ -287,10 +287,14 @@ std::uint64_t World::scene_hash() const {
                  fluid_.parameters.viscosity, fluid_.parameters.filter, fluid_.parameters.rest_density});
   add(fluid_.parameters.scheme);
   add(scene_.tank_edges);
+  add(scene_.tank.min);
+  add(scene_.tank.max);
   add(std::vector(fluid_.walls.position.begin(),
                   fluid_.walls.position.begin() + static_cast<std::ptrdiff_t>(fluid_.static_walls)));
   for (const BodySettings& body : scene_.bodies) add(std::array{body.id, static_cast<std::uint32_t>(body.drive)});
   add(std::uint64_t{bodies_.sample_count()});
+  for (const Solid& solid : fluid_.solids)
+    add(std::array{solid.field->nodes[0], solid.field->nodes[1], solid.field->nodes[2]});
   return hash.value();
 }
 

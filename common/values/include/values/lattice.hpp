@@ -8,6 +8,17 @@
 
 namespace pelagos {
 
+/// How the water meets the tank's faces: with the corrected solver a wall is a mirror that bodies do not pass.
+[[nodiscard]] inline TankEdges water_edges(TankEdges edges, SolverKind solver) {
+  if (solver != SolverKind::kCorrected) return edges;
+  for (TankEdge& edge : edges)
+    if (edge == TankEdge::kWall) edge = TankEdge::kMirror;
+  return edges;
+}
+[[nodiscard]] inline TankEdges water_edges(const Scene& scene) {
+  return water_edges(scene.tank_edges, scene.solver.kind);
+}
+
 /// How many particles stand along each axis of a block that starts full of water, and where the first one stands.
 /// Across an axis with sampled walls: at d, 2d, ... from the block's min face, size/d - 1 of them (a wall's own samples
 /// stand on its face). Across a mirrored or periodic axis: at d/2, 3d/2, ..., size/d of them. 0 where there is room for
@@ -33,7 +44,9 @@ namespace pelagos {
 }
 [[nodiscard]] inline double particle_count(const Scene& scene) {
   double total = 0.0;
-  const auto add = [&](const Box& block) { total += particle_count(block, scene.particle_spacing, scene.tank_edges); };
+  const auto add = [&](const Box& block) {
+    total += particle_count(block, scene.particle_spacing, water_edges(scene));
+  };
   for (const Box& block : scene.water.blocks) add(block);
   if (scene.oil)
     for (const Box& block : scene.oil->blocks) add(block);

@@ -30,7 +30,7 @@ struct Box {
 
 /// How the two faces of a tank across one axis close it.
 enum class TankEdge {
-  kWall,      ///< sampled with boundary particles; friction-free, but rough
+  kWall,      ///< bodies stop there. The corrected solver's water meets a mirror, that of the others boundary samples
   kMirror,    ///< a smooth plane: the water beyond is the mirror image
   kPeriodic,  ///< what leaves through one face enters through the other
 };

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "physics/particles.hpp"
+
 namespace pelagos {
 
 // Rigid bodies inside the pressure solve. A body that is pushed only after a solve feels the whole weight of the water
@@ -49,11 +51,18 @@ struct BodyMotion {
   Eigen::Vector3d way = Eigen::Vector3d::Zero(), turn = Eigen::Vector3d::Zero();
 };
 
+/// A moving boundary sample, or its image beyond a mirrored or periodic face.
+struct BodySample {
+  std::int32_t body = -1;    ///< -1: none
+  std::uint32_t source = 0;  ///< among FluidState::moving_position
+  Float4 sign{1, 1, 1, 1};   ///< of the image
+};
+
 /// All bodies of the water and their contacts at the present lists.
 struct BodyCoupling {
-  std::vector<CoupledBody> bodies;        ///< set before each step by whoever moves them
-  std::vector<BodyContact> contacts;      ///< by particle
-  std::vector<std::int32_t> sample_body;  ///< of every moving sample in the walls' order; -1: none
+  std::vector<CoupledBody> bodies;    ///< set before each step by whoever moves them
+  std::vector<BodyContact> contacts;  ///< by particle
+  std::vector<BodySample> samples;    ///< every moving sample and image, in the walls' order
 
   [[nodiscard]] bool empty() const { return bodies.empty(); }
 };

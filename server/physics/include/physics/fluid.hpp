@@ -16,6 +16,7 @@
 #include "physics/pair_passes.hpp"
 #include "physics/particles.hpp"
 #include "physics/phases.hpp"
+#include "physics/solids.hpp"
 #include "physics/step_report.hpp"
 #include "physics/task_pool.hpp"
 
@@ -72,7 +73,11 @@ struct FluidState : WaterState {
   std::size_t static_walls = 0;  ///< how many of `walls` never move
   std::vector<Float4> moving_position, moving_velocity;  ///< as placed by whoever moves the bodies; V_b in w
   bool walls_move = false;  ///< some moving sample belongs to no body of `coupling`: its velocity counts by itself
-  BodyCoupling coupling;    ///< rigid bodies among the moving samples
+  BodyCoupling coupling;    ///< rigid bodies, by their moving samples or by the solids that they are
+  /// Solid surfaces that particles know by their distance, as placed by whoever moves the bodies; corrected scheme
+  /// only.
+  std::vector<Solid> solids;
+  SolidPlanes solid_planes;
   bool gradients_present = false;  ///< lists and gradients belong to the present positions (dfsph needs them)
   bool density_present = false;    ///< the densities do; else start_acceleration computes them
 
@@ -82,7 +87,7 @@ struct FluidState : WaterState {
   Gradients gradients;
   Corrections corrections;               ///< corrected scheme only
   VelocityGradients velocity_gradients;  ///< corrected scheme only
-  std::vector<Float4> filter_change;     ///< corrected scheme only
+  FilterChange filter_change;            ///< corrected scheme only
   PhasePair phases;                      ///< of the present order; scenes with oil only
   std::size_t oil_count = 0;             ///< oil particles at the last sort; 0: no pass knows of phases
   ViscositySolve viscosity;              ///< implicit viscosity only

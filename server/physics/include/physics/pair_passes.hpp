@@ -10,6 +10,7 @@
 #include "physics/neighbors.hpp"
 #include "physics/particles.hpp"
 #include "physics/phases.hpp"
+#include "physics/solids.hpp"
 #include "physics/task_pool.hpp"
 
 namespace pelagos {
@@ -40,11 +41,12 @@ struct GradientCache {
 
 /// The discrete J of one state, as both constraints need it.
 struct Gradients {
-  GradientCache own;            ///< a_ij
-  GradientCache other;          ///< -a_ji where that differs from a_ij, else unused
-  bool corrected = false;       ///< whether `other` is used
-  std::vector<Float4> sum;      ///< [padded] x, y, z: S_i, 1/m
-  std::vector<Float4> wall;     ///< [padded] x, y, z: sum_b a_ib (1/m); w: sum_b v_b.a_ib (1/s)
+  GradientCache own;         ///< a_ij
+  GradientCache other;       ///< -a_ji where that differs from a_ij: corrected ones, and near solids
+  bool corrected = false;    ///< whether `other` is used away from solids
+  std::vector<Float4> sum;   ///< [padded] x, y, z: S_i, 1/m
+  std::vector<Float4> wall;  ///< [padded] x, y, z: sum_b a_ib (1/m); w: sum_b v_b.a_ib (1/s)
+  std::array<std::vector<Float4>, SolidPlanes::kSlots> solid_wall;  ///< [padded] the share of `wall` by slot, 1/m
   std::vector<float> alpha;     ///< [padded] m^2; 0 for a particle without neighbours
   std::vector<float> mobility;  ///< [padded] the largest w among the particle and its neighbours; two phases only
 };
@@ -62,12 +64,13 @@ struct PairData {
   const NeighborList* fluid = nullptr;
   const NeighborList* boundary = nullptr;
   const BoundaryParticles* walls = nullptr;
-  const Ghosts* ghosts = nullptr;     ///< null without images
-  bool walls_move = false;            ///< false: wall velocities are not even read
-  float support_radius = 0;           ///< m
-  float volume = 0;                   ///< m^3, V
-  float spacing = 0;                  ///< m, d
-  const PhasePair* phases = nullptr;  ///< null with one phase; else position.w tells them apart
+  const Ghosts* ghosts = nullptr;       ///< null without images
+  bool walls_move = false;              ///< false: wall velocities are not even read
+  float support_radius = 0;             ///< m
+  float volume = 0;                     ///< m^3, V
+  float spacing = 0;                    ///< m, d
+  const PhasePair* phases = nullptr;    ///< null with one phase; else position.w tells them apart
+  const SolidPlanes* solids = nullptr;  ///< null without
 };
 
 /// Density and plain gradients of every particle.
@@ -100,14 +103,20 @@ void compute_rate(TaskPool& pool, const PairData& data, const Gradients& gradien
 struct VelocityGradients {
   std::array<std::vector<Float4>, 3> row;
 };
+/// @param corrections  those of `gradients`; near solids they are read again
 void compute_velocity_gradients(TaskPool& pool, const PairData& data, const Gradients& gradients,
-                                std::span<const Float4> velocity, VelocityGradients& out);
+                                const Corrections& corrections, std::span<const Float4> velocity,
+                                VelocityGradients& out);
 
 /// What the filter takes out of the velocities: sum_j V W_ij [v_j - v_i + (G_i + G_j)/2 (x_i - x_j)], m/s. Zero for
 /// velocities that are linear in space; antisymmetric in each pair, so momentum stays. Between two phases each particle
 /// takes the share rho0_lighter / rho0_i, for the same reason. The pass has the kernel at hand, so it gives the
 /// densities at these positions as well.
-void compute_filter(TaskPool& pool, const PairData& data, const VelocityGradients& gradients, std::span<Float4> change,
+struct FilterChange {
+  std::vector<Float4> all;                                     ///< [padded] m/s
+  std::array<std::vector<Float4>, SolidPlanes::kSlots> solid;  ///< [padded] the share of the solids' images, by slot
+};
+void compute_filter(TaskPool& pool, const PairData& data, const VelocityGradients& gradients, FilterChange& change,
                     std::span<float> delta);
 
 /// Gravity and viscosity: a = g + nu 2 (dim + 2) sum_j V (v_ij . x_ij) / (x_ij^2 + 1e-6 R^2) grad W_ij   (paper eq. 6,

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,15 @@ struct SelfIntersections {
   bool all = true;                       ///< false: there were too many to look at all
 };
 
+/// The place of a surface that is nearest to a point.
+struct NearestPlace {
+  Eigen::Vector3d place;  ///< m
+  Eigen::Vector3d
+      normal;  ///< unit, of its face; of faces equally near, at an edge or a corner, of that seen most steeply
+  double distance = 0.0;  ///< m
+  double height = 0.0;    ///< m, of the point above that face's plane; negative: it is behind the surface
+};
+
 /// Distances, rays and inside tests on a mesh, through a tree of bounding boxes: the time of a query grows with the
 /// logarithm of the number of triangles. Immutable after construction; any number of threads may ask.
 class MeshQuery {
@@ -30,6 +40,9 @@ class MeshQuery {
 
   /// Distance from `point` to the surface, m; `limit` where it is not nearer than that.
   [[nodiscard]] double distance(const Eigen::Vector3d& point, double limit) const;
+
+  /// Nothing where the surface is not nearer than `limit`, m.
+  [[nodiscard]] std::optional<NearestPlace> nearest(const Eigen::Vector3d& point, double limit) const;
 
   /// How far a ray runs before it meets the surface, m: the first meeting farther than `skip`; infinity if none.
   /// @param direction  unit

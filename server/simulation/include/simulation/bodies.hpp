@@ -84,8 +84,9 @@ struct BodiesState {
   }
 };
 
-/// The rigid bodies of a world and their samples in the water's walls: those of STATIC bodies among the walls that
-/// never move, the others among the moving ones.
+/// The rigid bodies of a world and what the water meets of them. The corrected solver meets the distance fields of
+/// their surfaces (see physics/solids.hpp). Of bodies with thin plates, and with the other solvers, it meets boundary
+/// samples: those of STATIC bodies among the walls that never move, the others among the moving ones.
 class Bodies {
  public:
   Bodies() = default;
@@ -179,13 +180,16 @@ class Bodies {
   struct Body : BodyDynamics {
     BodySettings settings;
     BodyShape shape;
-    std::size_t first_sample = 0;  ///< among the moving ones
-    std::size_t hull = 0;          ///< in `contacts_`, where there are any
+    std::size_t first_sample = 0;                           ///< among the moving ones
+    std::vector<std::shared_ptr<const SolidField>> fields;  ///< of its surface; empty: the water meets its samples
+    std::size_t hull = 0;                                   ///< in `contacts_`, where there are any
     Hold hold;
     PartVolume hold_water;  ///< when loads were last taken
 
     [[nodiscard]] bool moves() const { return driven || free; }
     [[nodiscard]] bool gives_way() const { return free && !held; }
+    /// Samples among the moving ones.
+    [[nodiscard]] std::size_t sample_count() const { return moves() && fields.empty() ? shape.samples.size() : 0; }
     [[nodiscard]] bool drifts() const { return gives_way() && !driven; }
   };
   struct StaticSample {
@@ -196,10 +200,13 @@ class Bodies {
   [[nodiscard]] std::vector<std::string> contact_faults(const Scene& scene);
   /// A body as the water's solves see it: a driven one about its origin, and it gives way to nothing.
   [[nodiscard]] static CoupledBody coupled_body(const Body& body, const PatchFrame& frame);
+  /// Adds the body's fields to the water's solids, before its coupled body.
+  static void place_fields(const Body& body, const PatchFrame& frame, FluidState& fluid);
   void open_hold(const Scene& scene, Body& body) const;
   void touch(double dt);
   [[nodiscard]] DriftSea sea_of(const Body& body, double time, const Current& current, double water_level) const;
   void place_contacts();
+  void add_surface(TaskPool& pool, const Scene& scene, double support_radius, Body& body);
   void add_samples(TaskPool& pool, const Scene& scene, double support_radius, Body& body);
   void relocate_water(const Body& body, const BodyState& before, const PatchFrame& frame, FluidState& fluid) const;
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "physics/fluid.hpp"
+
+namespace pelagos {
+
+/// Tangent planes of all particles and images at the present positions, after the search. Nothing without solids.
+void find_solid_planes(TaskPool& pool, FluidState& state);
+
+/// Speeds of the surfaces from the bodies' present velocities, into the planes.
+void refresh_solid_speeds(TaskPool& pool, FluidState& state);
+
+/// Gives the bodies what the filter has taken from the water through their surfaces' images.
+/// @param factor  on the filter's change
+void give_filter_to_bodies(TaskPool& pool, FluidState& state, float factor);
+
+/// Puts particles that have come into a solid back: as far outside as they were inside, at most half a spacing, with
+/// the approaching speed reversed. The body takes the impulse. Nothing without solids.
+void push_out_of_solids(TaskPool& pool, FluidState& state);
+
+}  // namespace pelagos
