@@ -281,7 +281,7 @@ Renderer::~Renderer() = default;
 
 void Renderer::set_scene(const SceneInfo& scene) {
   state_->scene = scene;
-  state_->sea = WaveField(scene.far_sea, scene.water_level);
+  state_->sea = scene.sea;
 }
 
 void Renderer::set_meshes(const BodyMeshes& meshes) {

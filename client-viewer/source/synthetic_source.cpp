@@ -112,7 +112,7 @@ SceneInfo synthetic_scene() {
   scene.frame_interval = kFrameInterval;
   scene.particle_spacing = kSpacing;
   scene.tank = {{-48.0, -36.0, -5.0}, {48.0, 36.0, 4.0}};
-  scene.far_sea = make_wave_components({.beaufort = 5, .wave_to_deg = 60.0, .components = 24, .seed = 3});
+  scene.sea = WaveField(make_wave_components({.beaufort = 5, .wave_to_deg = 60.0, .components = 24, .seed = 3}), 0.0);
   scene.bodies.push_back({1, "coaster", "coaster_hull.obj", 1.0});
   return scene;
 }
@@ -120,7 +120,7 @@ SceneInfo synthetic_scene() {
 void fill_synthetic_frame(double time, OceanFrame& frame) {
   const SceneInfo scene = synthetic_scene();
   std::vector<WaveComponent> carried;
-  for (const WaveComponent& w : scene.far_sea)
+  for (const WaveComponent& w : scene.sea.components())
     if (2.0 * std::numbers::pi / w.wavenumber > 8.0 * kSpacing) carried.push_back(w);
   frame.source = 1;
   frame.simulation_time = time;

@@ -35,7 +35,9 @@ oil { type: "medium crude" model: BOTH }
 wind { speed: 6 from_deg: 270 amplitude: 2 }
 current { speed: 0.2 to_deg: 90 }
 governor { frame_budget: 0.004 }
+far_sea { beaufort: 4 wave_to_deg: 90 }
 event { at: 1.5 set_wind { wind { speed: 12 } ramp: 1 } }
+event { at: 2 set_waves { wave { amplitude: 0.5 length: 30 to_deg: 200 } blend: 3 } }
 frame_rate: 20
 )";
   return file;
@@ -98,6 +100,7 @@ void play_session(const std::string& address) {
   command(address, {"wind", "--from", "200", "--ramp", "2"});
   command(address, {"release", "hose", "--from", "12", "7", "1", "--rate", "900", "--duration", "3"});
   command(address, {"probe", "40", "3", "3"});
+  command(address, {"waves", "--wave", "0.3,20,90", "0.1,2.5s,60,45", "--blend", "2"});
   command(address, {"boom", "north", "9", "8", "13", "8", "--draft", "0.4"});
   command(address, {"pause"});
   command(address, {"spill", "4", "3", "--volume", "0.02", "--radius", "0.5"});
@@ -146,8 +149,9 @@ class ReplayOfASession : public ::testing::Test {
 
 TEST_F(ReplayOfASession, TheLogHoldsWhoGaveWhat) {
   const std::string log = read_text(path("run.log"));
-  for (const char* text : {"source: \"bridge 7\"", "source: \"bridge 8\"", "source: \"station 127.0.0.1:",
-                           "source: \"scene event 1\"", "pose {", "set_probe", "remove_probe", "world_hash"})
+  for (const char* text : {"source: \"bridge 7\"", "source: \"bridge 8\"",
+                           "source: \"station 127.0.0.1:", "source: \"scene event 1\"", "pose {", "set_probe",
+                           "remove_probe", "set_waves { wave { amplitude: 0.3 length: 20 to_deg: 90 }", "world_hash"})
     EXPECT_THAT(log, HasSubstr(text));
 }
 

@@ -24,6 +24,12 @@ SceneInfo crowd(std::uint32_t bodies) {
   return scene;
 }
 
+void change_wave(SceneInfo& scene, std::size_t wave, float WaveComponent::*member, float value) {
+  std::vector<WaveComponent> waves(scene.sea.components().begin(), scene.sea.components().end());
+  waves[wave].*member = value;
+  scene.sea = WaveField(waves, scene.water_level);
+}
+
 std::string fault_of(const SceneInfo& scene) {
   const wire::SceneInfoSample sample(scene, 1);
   const auto fault = wire::find_fault(sample.get());
@@ -59,9 +65,10 @@ TEST(SceneFault, NumbersThatNoSeaHasAreRefusedByName) {
       {"tank_min", [](SceneInfo& s) { s.tank.min.y() = -1e12; }},
       {"origin_latitude_deg", [](SceneInfo& s) { s.origin.latitude_deg = 90.1; }},
       {"origin_height", [](SceneInfo& s) { s.origin.height = kNaN; }},
-      {"far_sea[1].amplitude", [](SceneInfo& s) { s.far_sea[1].amplitude = 1e20F; }},
-      {"far_sea[0].wavenumber", [](SceneInfo& s) { s.far_sea[0].wavenumber = -1.0F; }},
-      {"far_sea[0].phase", [](SceneInfo& s) { s.far_sea[0].phase = std::numeric_limits<float>::infinity(); }},
+      {"far_sea[1].amplitude", [](SceneInfo& s) { change_wave(s, 1, &WaveComponent::amplitude, 1e20F); }},
+      {"far_sea[0].wavenumber", [](SceneInfo& s) { change_wave(s, 0, &WaveComponent::wavenumber, -1.0F); }},
+      {"far_sea[0].phase",
+       [](SceneInfo& s) { change_wave(s, 0, &WaveComponent::phase, std::numeric_limits<float>::infinity()); }},
       {"bodies[0].mesh_scale", [](SceneInfo& s) { s.bodies[0].mesh_scale = 0.0; }},
   };
   for (const auto& [text, change] : faults) {
@@ -69,6 +76,33 @@ TEST(SceneFault, NumbersThatNoSeaHasAreRefusedByName) {
     change(scene);
     EXPECT_THAT(fault_of(scene), HasSubstr(text));
   }
+}
+
+TEST(SeaFault, LayersWavesAndTimesAreBounded) {
+  using Layers = std::vector<WaveLayer>;
+  const WaveComponent wave{0.5F, 0.2F, 1.4F, 0.7F, 2.0F};
+  const auto fault_of_sea = [](const Layers& layers, double level = 0.0, double depth = kInfiniteDepth) {
+    const wire::SeaSample sample(WaveField::of_layers(layers, level, depth), 1);
+    const auto fault = wire::find_fault(sample.get());
+    return fault ? fault->text : "";
+  };
+  EXPECT_EQ(fault_of_sea(Layers(8, {std::vector(512, wave), 3.0, 60.0})), "");
+  EXPECT_THAT(fault_of_sea(Layers(8, {std::vector(513, wave), 3.0, 60.0})), HasSubstr("waves has 4104 items"));
+  EXPECT_THAT(fault_of_sea({{{wave}, kNaN, 1.0}}), HasSubstr("layers[0].start is nan"));
+  EXPECT_THAT(fault_of_sea({{{wave}, 0.0, 0.0}, {{wave}, 0.0, -1.0}}), HasSubstr("layers[1].seconds is -1"));
+  EXPECT_THAT(fault_of_sea({{{wave}, 0.0, 3601.0}}), HasSubstr("layers[0].seconds is 3601; allowed: 0 to 3600"));
+  EXPECT_THAT(fault_of_sea({{{wave}, 0.0, 0.0}}, 1e30), HasSubstr("water_level is 1e+30"));
+  EXPECT_THAT(fault_of_sea({{{wave}, 0.0, 0.0}}, 0.0, -5.0), HasSubstr("depth is -5"));
+  WaveComponent high = wave;
+  high.amplitude = 1e20F;
+  EXPECT_THAT(fault_of_sea({{{wave, high}, 0.0, 0.0}}), HasSubstr("waves[1].amplitude is 1e+20"));
+  pelagos_SeaV1 none{};
+  ASSERT_TRUE(wire::find_fault(none).has_value());
+  EXPECT_THAT(wire::find_fault(none)->text, HasSubstr("layers is empty; allowed: 1 to 8 items"));
+  std::vector<pelagos_SeaLayerV1> nine(9);
+  none.layers._buffer = nine.data();
+  none.layers._length = 9;
+  EXPECT_THAT(wire::find_fault(none)->text, HasSubstr("layers has 9 items; allowed: at most 8"));
 }
 
 TEST(StatusFault, NumbersThatAViewerComputesWithAreBounded) {

@@ -138,7 +138,7 @@ TEST_F(Graphics, SameFrameGivesTheSamePicture) {
 TEST_F(Graphics, DrawsWithoutParticlesBodiesOrWaves) {
   Renderer renderer({kWidth, kHeight, 32, Quality::kLow, true});
   SceneInfo flat = synthetic_scene();
-  flat.far_sea.clear();
+  flat.sea = WaveField({}, flat.water_level);
   flat.bodies = {{4, "unknown", "no_such.obj", 1.0}};
   set_scene(renderer, flat, kAssets / "meshes");
   Channel channel;

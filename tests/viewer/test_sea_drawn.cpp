@@ -48,12 +48,26 @@ GLuint compute_program() {
   return program;
 }
 
-class SeaDrawn : public Graphics, public testing::WithParamInterface<double> {};
+/// A sea of some depth; or, in the middle of two blends.
+struct DrawnSea {
+  double depth = kInfiniteDepth;
+  bool blends = false;
+};
+
+WaveField sea_of(const DrawnSea& drawn) {
+  WaveField sea(make_wave_components({.beaufort = 8, .wave_to_deg = 40, .components = 128, .seed = 4}), 0.0,
+                drawn.depth);
+  if (!drawn.blends) return sea;
+  EXPECT_TRUE(sea.exchange(make_wave_components({.beaufort = 5, .wave_to_deg = 200, .seed = 5}), 3560.0, 60.0));
+  EXPECT_TRUE(sea.exchange(make_wave_components({.beaufort = 7, .wave_to_deg = 90, .seed = 6}), 3590.0, 25.0));
+  return sea;
+}
+
+class SeaDrawn : public Graphics, public testing::WithParamInterface<DrawnSea> {};
 
 TEST_P(SeaDrawn, IsTheWaveFieldAtAThousandPlaces) {
   if (IsSkipped()) return;
-  const auto waves = make_wave_components({.beaufort = 8, .wave_to_deg = 40, .components = 128, .seed = 4});
-  const WaveMoment moment = WaveField(waves, 0.0, GetParam()).at(3599.0, {12'000.0, -900.0});
+  const WaveMoment moment = sea_of(GetParam()).at(3599.0, {12'000.0, -900.0});
   std::vector<float> x, y, places;
   SplitMix64 random(1);
   for (std::size_t i = 0; i < kPlaces; ++i) {
@@ -115,14 +129,16 @@ TEST_P(SeaDrawn, IsTheWaveFieldAtAThousandPlaces) {
   EXPECT_GT(mixed, 50U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Depths, SeaDrawn, testing::Values(9.0, kInfiniteDepth));
+INSTANTIATE_TEST_SUITE_P(Seas, SeaDrawn,
+                         testing::Values(DrawnSea{9.0}, DrawnSea{}, DrawnSea{9.0, true},
+                                         DrawnSea{kInfiniteDepth, true}));
 
 /// Depths of a picture of the open sea alone.
-std::vector<float> draw_sea(const std::vector<WaveComponent>& waves) {
+std::vector<float> draw_sea(const WaveField& sea) {
   constexpr int kWidth = 160, kHeight = 96;
   Renderer renderer({kWidth, kHeight, 16, Quality::kHigh, true});
   SceneInfo scene = synthetic_scene();
-  scene.far_sea = waves;
+  scene.sea = sea;
   scene.bodies.clear();
   renderer.set_scene(scene);
   Channel channel;
@@ -139,8 +155,8 @@ TEST_F(Graphics, EveryComponentOfALongListIsDrawn) {
   const WaveComponent whole{.amplitude = 0.6F, .wavenumber = 0.1F, .omega = 0.99F, .direction = 0.5F, .phase = 0.2F};
   WaveComponent part = whole;
   part.amplitude /= static_cast<float>(kMany);
-  const std::vector<float> one = draw_sea({whole}), many = draw_sea(std::vector<WaveComponent>(kMany, part));
-  const std::vector<float> flat = draw_sea({});
+  const std::vector<float> one = draw_sea(WaveField({whole}, 0.0)), flat = draw_sea({});
+  const std::vector<float> many = draw_sea(WaveField(std::vector<WaveComponent>(kMany, part), 0.0));
   double differ = 0.0, move = 0.0;
   std::size_t seen = 0;
   for (std::size_t i = 0; i < one.size(); ++i) {
@@ -152,6 +168,19 @@ TEST_F(Graphics, EveryComponentOfALongListIsDrawn) {
   ASSERT_GT(seen, 1000U);
   // One wave raises the mean level by k a^2 / 2 = 18 mm, its parts by nothing: some decimetres along a flat ray.
   EXPECT_LT(differ, 0.1 * move);
+}
+
+/// The scene's layers reach the picture: half of a blend is drawn as both seas with half their heights.
+TEST_F(Graphics, ABlendIsDrawnAsTheSumOfItsSeas) {
+  WaveComponent old{.amplitude = 0.8F, .wavenumber = 0.1F, .omega = 0.99F, .direction = 0.5F, .phase = 0.2F};
+  WaveComponent next{.amplitude = 0.6F, .wavenumber = 0.2F, .omega = 1.4F, .direction = 2.5F, .phase = 1.2F};
+  WaveField blending({old}, 0.0);
+  ASSERT_TRUE(blending.exchange({next}, 2.0, 20.0));  // half over at 12 s, the time that is drawn
+  const std::vector<float> before = draw_sea(WaveField({old}, 0.0)), drawn = draw_sea(blending);
+  old.amplitude *= 0.5F;
+  next.amplitude *= 0.5F;
+  EXPECT_EQ(drawn, draw_sea(WaveField({next, old}, 0.0))) << "newest first, as the field sums them";
+  EXPECT_NE(drawn, before);
 }
 
 }  // namespace

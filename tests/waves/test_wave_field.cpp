@@ -310,6 +310,8 @@ TEST(WaveBlend, RefusesMoreBlendsThanItKeepsAndDropsThoseThatAreOver) {
   for (std::size_t i = 1; i < WaveField::kMostLayers; ++i)
     EXPECT_TRUE(field.exchange({}, static_cast<double>(i), 60.0));
   EXPECT_FALSE(field.exchange({}, 10.0, 60.0));
+  EXPECT_EQ(field.open_from(), 61.0) << "when the first blend is over";
+  EXPECT_FALSE(field.exchange({}, 60.9, 60.0));
   EXPECT_EQ(field.layers().size(), WaveField::kMostLayers);
   EXPECT_TRUE(field.exchange({wave_of(1.0, 0.1, kInfiniteDepth, 0.0, 0.0)}, 200.0, 0.0));
   EXPECT_EQ(field.layers().size(), 2U);

@@ -7,6 +7,7 @@
 #include "messages/enums_out.hpp"
 #include "messages/limits.hpp"
 #include "messages/read_current.hpp"
+#include "messages/read_waves.hpp"
 #include "messages/read_wind.hpp"
 #include "oil_commands.hpp"
 #include "probe_commands.hpp"
@@ -77,6 +78,31 @@ void write(const SetCurrent& command, proto::v1::TimedCommand& message) {
 Command read_clear_current(const FieldReader&) { return ClearCurrent{}; }
 void write(const ClearCurrent&, proto::v1::TimedCommand& message) { message.mutable_clear_current(); }
 
+Command read_set_waves(const FieldReader& reader) {
+  SetWaves command;
+  bool flat = false;
+  reader.read("flat", flat);
+  if (flat && reader.has("wave")) reader.fault("flat", "is true beside waves; allowed: one of them");
+  if (!flat && !reader.has("wave")) reader.fault("wave", "is missing; allowed: 1 to 512 waves, or flat: true");
+  command.waves = read_waves(reader);
+  reader.read("blend", limits::kBlend, command.blend_seconds);
+  return command;
+}
+
+void write(const SetWaves& command, proto::v1::TimedCommand& message) {
+  proto::v1::SetWaves& out = *message.mutable_set_waves();
+  for (const WaveSettings& from : command.waves) {
+    proto::v1::Wave& wave = *out.add_wave();
+    wave.set_amplitude(from.amplitude);
+    if (from.length > 0.0) wave.set_length(from.length);
+    if (from.period > 0.0) wave.set_period(from.period);
+    wave.set_to_deg(from.to_deg);
+    if (from.phase_deg != 0.0) wave.set_phase_deg(from.phase_deg);
+  }
+  if (command.waves.empty()) out.set_flat(true);
+  out.set_blend(command.blend_seconds);
+}
+
 Command read_pause(const FieldReader&) { return PauseSimulation{}; }
 void write(const PauseSimulation&, proto::v1::TimedCommand& message) { message.mutable_pause(); }
 
@@ -137,6 +163,7 @@ constexpr std::array kCommandFields{
     CommandField{"clear_wind", read_clear_wind},
     CommandField{"set_current", read_set_current},
     CommandField{"clear_current", read_clear_current},
+    CommandField{"set_waves", read_set_waves},
     CommandField{"pause", read_pause},
     CommandField{"release_oil", read_as_command<read_release_oil>},
     CommandField{"stop_release", read_as_command<read_stop_release>},

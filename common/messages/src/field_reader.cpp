@@ -100,7 +100,9 @@ int FieldReader::line_of(const Field& descriptor, int index) const {
 void FieldReader::fault(const Misfit& misfit) const {
   const std::size_t dot = misfit.field.find('.');
   if (dot == std::string::npos) return fault(misfit.field.c_str(), misfit.what);
-  child(misfit.field.substr(0, dot).c_str()).fault(Misfit{misfit.field.substr(dot + 1), misfit.what});
+  const std::string name = misfit.field.substr(0, misfit.field.find('[')), rest = misfit.field.substr(dot + 1);
+  if (name.size() >= dot) return child(misfit.field.substr(0, dot).c_str()).fault(Misfit{rest, misfit.what});
+  children(name.c_str()).at(std::stoul(misfit.field.substr(name.size() + 1))).fault(Misfit{rest, misfit.what});
 }
 
 void FieldReader::fault(const char* name, std::string what) const {

@@ -103,11 +103,13 @@ CommandSite command_site(const Scene& scene) {
   site.tank = scene.tank;
   for (const BodySettings& body : scene.bodies) site.bodies.push_back(body.id);
   if (scene.oil) site.oil = scene.oil->model;
+  if (scene.gravity > 0.0) site.gravity = scene.gravity;
   return site;
 }
 
 std::optional<Misfit> find_misfit(const Command& command, const CommandSite& site) {
   if (const auto* set = std::get_if<SetProbe>(&command)) return find_wrong_probe(set->probe, site);
+  if (const auto* set = std::get_if<SetWaves>(&command)) return find_wave_misfit(set->waves, site.gravity);
   const auto* oil = std::get_if<OilCommand>(&command);
   if (oil == nullptr) return {};
   if (!site.oil) return Misfit{"", "the scene has no oil; needed there: oil { } with its type and model"};

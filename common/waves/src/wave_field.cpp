@@ -1,5 +1,7 @@
 #include "waves/wave_field.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -49,8 +51,17 @@ MomentWave moment_wave(const WaveComponent& component, const Share& share, doubl
 
 }  // namespace
 
+double WaveLayer::share_at(double time) const { return share_of(*this, time).value; }
+
 WaveField::WaveField(std::vector<WaveComponent> components, double level, double depth)
-    : layers_{WaveLayer{std::move(components), -kInfiniteDepth, 0.0}}, level_(level), depth_(depth) {}
+    : layers_{WaveLayer{std::move(components), 0.0, 0.0}}, level_(level), depth_(depth) {}
+
+WaveField WaveField::of_layers(std::vector<WaveLayer> layers, double level, double depth) {
+  WaveField field({}, level, depth);
+  field.layers_ = std::move(layers);
+  assert(field.sound());
+  return field;
+}
 
 bool WaveField::exchange(std::vector<WaveComponent> components, double time, double seconds) {
   std::size_t first = layers_.size() - 1;  // that counts: the newest one that is there in full
@@ -59,6 +70,13 @@ bool WaveField::exchange(std::vector<WaveComponent> components, double time, dou
   layers_.erase(layers_.begin(), layers_.begin() + static_cast<std::ptrdiff_t>(first));
   layers_.push_back({std::move(components), time, seconds});
   return true;
+}
+
+double WaveField::open_from() const {
+  if (layers_.size() < kMostLayers) return layers_.back().start;
+  double first_end = layers_[1].start + layers_[1].seconds;
+  for (const WaveLayer& layer : layers().subspan(1)) first_end = std::min(first_end, layer.start + layer.seconds);
+  return first_end;
 }
 
 WaveMoment WaveField::at(double time, const Eigen::Vector2d& anchor) const {

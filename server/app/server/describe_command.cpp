@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pelagos {
@@ -53,6 +54,7 @@ struct Describer {
                                    current_to_deg(c.current.velocity), shear(c.current), c.ramp_seconds)};
   }
   CommandNews operator()(const ClearCurrent&) const { return {"current", "no current"}; }
+  CommandNews operator()(const SetWaves& c) const { return {"waves", waves(c)}; }
   CommandNews operator()(const PauseSimulation&) const { return {"pause", "paused"}; }
   CommandNews operator()(const ResumeSimulation&) const { return {"resume", "resumed"}; }
   CommandNews operator()(const StepSimulation& c) const { return {"step", fmt::format("single steps: {}", c.steps)}; }
@@ -103,6 +105,17 @@ struct Describer {
   static std::string law(const WindSettings& wind) {
     if (wind.law == WindLaw::kStress) return ", law stress";
     return wind.law == WindLaw::kPaper ? ", law paper (its push depends on the time step)" : "";
+  }
+  static std::string waves(const SetWaves& c) {
+    const std::string over = fmt::format(", over {:.1f} s", c.blend_seconds);
+    if (c.waves.empty()) return "waves: flat sea" + over;
+    const auto lower = [](const WaveSettings& a, const WaveSettings& b) { return a.amplitude < b.amplitude; };
+    const WaveSettings& main = *std::max_element(c.waves.begin(), c.waves.end(), lower);
+    const std::string size =
+        main.length > 0.0 ? fmt::format("{:g} m long", main.length) : fmt::format("of {:g} s", main.period);
+    return fmt::format("waves: {} of them, significant height {:.2f} m, the highest {} to {:.0f} deg", c.waves.size(),
+                       significant_height(c.waves), size, main.to_deg) +
+           over;
   }
   static std::string shear(const CurrentSettings& current) {
     switch (current.shear) {

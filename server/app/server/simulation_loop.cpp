@@ -121,6 +121,7 @@ void SimulationLoop::answer(std::size_t index, const CommandOutcome& outcome, bo
   if (!changed) return;
   if (std::holds_alternative<SetEffort>(outcome.done)) ++effort_changes_;
   parts_.announcer.announce(news.kind, source, news.text);
+  if (std::holds_alternative<SetWaves>(outcome.done)) parts_.publisher.publish_sea(parts_.world.sea());
   if (std::holds_alternative<SetCurrent>(outcome.done)) watches_.look_at_current(parts_.world);
 }
 
@@ -262,6 +263,7 @@ void SimulationLoop::put_up_status() {
   status_.wind = world.wind();
   status_.current = world.current();
   status_.moves_water = world.current_moves_water();
+  status_.sea = sea_status(world.sea(), world.time());
   status_.scheduled = static_cast<std::uint32_t>(parts_.gate.scheduled_count());
   status_.bodies = world.bodies().states();
   status_.holds = world.bodies().holds();

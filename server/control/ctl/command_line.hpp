@@ -7,6 +7,7 @@
 
 #include "control.pb.h"
 #include "response_commands.hpp"
+#include "waves_command.hpp"
 
 namespace pelagos {
 
@@ -44,7 +45,7 @@ struct CtlOptions {
 /// What was asked for, read by the functions below from the parsed command line.
 struct CommandLine {
   CLI::App app{
-      "Asks a running pelagos-server for its status, and commands it, at once or at a time: wind, current, oil, "
+      "Asks a running pelagos-server for its status, and commands it, at once or at a time: wind, current, waves, oil, "
       "pause."};
   CtlOptions options;
   CLI::App* status = nullptr;
@@ -58,6 +59,7 @@ struct CommandLine {
   CLI::App* command = nullptr;
   CLI::App* schedule = nullptr;
   CLI::App* cancel = nullptr;
+  WavesCommand waves;
   ResponseCommands response;
 
   CommandLine();
@@ -76,7 +78,7 @@ struct CommandLine {
 
 struct RequestResult {
   proto::v1::Request request;
-  std::string fault;  ///< of a command in text format; empty if there is none
+  std::string fault;  ///< of a command in text format or of its file; empty if there is none
 };
 /// The request of every command but events.
 [[nodiscard]] RequestResult to_request(const CommandLine& line);

@@ -118,6 +118,16 @@ std::string describe_current(const proto::v1::Status& status) {
   return text + (axes.empty() ? ", carries only what drifts" : ", moves the water along " + axes);
 }
 
+std::string describe_sea(const proto::v1::SeaStatus& sea) {
+  std::string text = "flat";
+  if (sea.waves() > 0)
+    text = format("%u, significant height %.2f m, the highest of %.1f s (%.4g m) to %03.0f", sea.waves(),
+                  sea.significant_height(), sea.highest_period(), sea.highest_length(), sea.highest_to_deg());
+  if (!sea.has_share()) return text;
+  return text + format("; blending: %.0f %% there, %.1f s to go, %u before", 100.0 * sea.share(), sea.blend_left(),
+                       sea.earlier());
+}
+
 std::string describe_record(const proto::v1::CommandLogStatus& log) {
   if (!log.has_fault()) return log.file();
   std::string text = log.file() + ": NOT WRITTEN, " + log.fault();
@@ -215,6 +225,7 @@ std::string describe(const proto::v1::Status& s) {
   text += "wind       " + describe_wind(s) + "\n";
   if (s.has_oil()) text += "oil        " + describe_oil(s.oil()) + "\n";
   text += "current    " + describe_current(s) + "\n";
+  text += "waves      " + describe_sea(s.sea()) + "\n";
   if (s.scheduled() > 0) text += format("schedule   %u commands wait\n", s.scheduled());
   if (s.has_command_log()) text += "record     " + describe_record(s.command_log()) + "\n";
   for (const auto& body : s.body()) text += "body       " + describe_body(body) + "\n";

@@ -92,6 +92,22 @@ void fill_current(const ServerStatus& status, proto::v1::CurrentStatus& to) {
   if (current.shear != CurrentShear::kNone) to.set_depth(current.depth);
 }
 
+void fill(const SeaStatus& from, proto::v1::SeaStatus& to) {
+  constexpr double kTurn = 6.283185307179586;
+  to.set_significant_height(from.significant_height);
+  to.set_waves(from.waves);
+  if (from.highest) {
+    to.set_highest_period(kTurn / static_cast<double>(from.highest->omega));
+    to.set_highest_length(kTurn / static_cast<double>(from.highest->wavenumber));
+    const double direction = from.highest->direction;
+    to.set_highest_to_deg(current_to_deg({std::cos(direction), std::sin(direction), 0.0}));
+  }
+  if (from.earlier == 0) return;
+  to.set_share(from.share);
+  to.set_blend_left(from.blend_left);
+  to.set_earlier(from.earlier);
+}
+
 proto::v1::BodyStatus::Health to_health(PoseHealth health) {
   switch (health) {
     case PoseHealth::kFresh:
@@ -171,6 +187,7 @@ proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
   if (status.oil) fill(*status.oil, *message.mutable_oil());
   if (status.wind) fill(*status.wind, *message.mutable_wind());
   if (status.current) fill_current(status, *message.mutable_current());
+  fill(status.sea, *message.mutable_sea());
   message.set_scheduled(status.scheduled);
   for (const BodyState& body : status.bodies) fill(body, *message.add_body());
   if (status.command_log) fill(*status.command_log, *message.mutable_command_log());

@@ -11,7 +11,7 @@
 #include "commands.pb.h"
 #include "messages/commands.hpp"
 #include "messages/parse_text.hpp"
-#include "text_file.hpp"
+#include "messages/text_file.hpp"
 
 namespace pelagos {
 namespace {

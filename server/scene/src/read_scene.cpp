@@ -1,8 +1,8 @@
 #include "scene/read_scene.hpp"
 
 #include "messages/parse_text.hpp"
+#include "messages/text_file.hpp"
 #include "scene.pb.h"
-#include "text_file.hpp"
 #include "validate_scene.hpp"
 
 namespace pelagos {

@@ -6,6 +6,7 @@
 
 #include "messages/read_current.hpp"
 #include "messages/read_probe.hpp"
+#include "messages/read_waves.hpp"
 #include "messages/read_wind.hpp"
 #include "scene.pb.h"
 #include "values/lattice.hpp"
@@ -180,8 +181,14 @@ void check_bodies_against_solver(const FieldReader& reader, const Scene& scene) 
                  "POSE_HORIZONTAL: any other solver, or PBF with another method");
 }
 
-void read_far_sea(const FieldReader& reader, FarSeaSettings& far_sea) {
+void read_far_sea(const FieldReader& reader, double gravity, FarSeaSettings& far_sea) {
   const FieldReader entry = reader.child("far_sea");
+  const std::size_t faults = entry.fault_count();
+  far_sea.waves = read_waves(entry);
+  for (const char* field : {"beaufort", "wave_to_deg", "components"})
+    if (entry.has("wave") && entry.has(field)) entry.fault(field, "is given beside waves; allowed: one or the other");
+  const auto misfit = entry.fault_count() == faults ? find_wave_misfit(far_sea.waves, gravity) : std::nullopt;
+  if (misfit) entry.fault(*misfit);
   entry.read("beaufort", {0, 12, "Beaufort"}, far_sea.beaufort);
   entry.read("wave_to_deg", {0.0, 360.0, "degrees clockwise from north, where the waves run to"}, far_sea.wave_to_deg);
   entry.read("components", {1, 128}, far_sea.components);
@@ -235,7 +242,7 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
   EventSurroundings around{scene.wind, site, {}, basis.gravity && *basis.gravity == 0.0};
   for (const ProbeSettings& probe : scene.probes) around.probes.push_back(probe.id);
   scene.events = validate_events(reader, around);
-  read_far_sea(reader, scene.far_sea);
+  read_far_sea(reader, command_site(scene).gravity, scene.far_sea);
   read_origin(reader, scene.origin);
   read_surface(reader, basis, scene.surface);
   return scene;

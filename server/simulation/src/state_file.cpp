@@ -103,7 +103,8 @@ std::optional<std::string> load_state(std::span<const std::byte> file, World& wo
   } catch (const FieldFault& fault) {
     return refuse(fault.what(), "a file that this build has saved");
   }
-  if (!world.accepts(state)) return refuse("its bodies or its oil are not those of the scene", "a state of this scene");
+  if (!world.accepts(state))
+    return refuse("its bodies, its oil or its sea are not those of the scene", "a state of this scene");
   world.restore(state);
   return std::nullopt;
 }

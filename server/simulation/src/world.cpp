@@ -19,8 +19,6 @@ namespace pelagos {
 
 namespace {
 
-constexpr double kStandardGravity = 9.81;  ///< m/s^2, for what needs a scale where the scene has no gravity
-
 /// After a numerical fault steps are shorter for so long, s of simulated time; so many faults before that end the run.
 constexpr double kCarefulTime = 1.0;
 constexpr int kMostFaults = 3;
@@ -43,11 +41,10 @@ FluidState make_start(TaskPool& pool, const Scene& scene, const Bodies& bodies, 
   return make_fluid(pool, fluid_parameters(scene, frame), start.position, start.phase);
 }
 
-WaveField make_sea(const Scene& scene, double water_level) {
-  const double gravity = scene.gravity > 0.0 ? scene.gravity : kStandardGravity;
-  return {make_wave_components(
-              {scene.far_sea.beaufort, scene.far_sea.wave_to_deg, scene.far_sea.components, scene.seed, gravity}),
-          water_level};
+WaveField make_sea(const Scene& scene, double gravity, double water_level) {
+  const FarSeaSettings& sea = scene.far_sea;
+  if (!sea.waves.empty()) return {wave_components(sea.waves, gravity), water_level};
+  return {make_wave_components({sea.beaufort, sea.wave_to_deg, sea.components, scene.seed, gravity}), water_level};
 }
 
 SurfaceInput surface_input(const FluidState& fluid, double time) {
@@ -71,7 +68,7 @@ World::World(const Scene& scene, const WorldOptions& options)
       fluid_(make_start(*pool_, scene, bodies_, frame_)),
       water_level_(rest_level(*pool_, scene, bodies_,
                               std::span(fluid_.particles.position).first(fluid_.particles.count), frame_)),
-      sea_(make_sea(scene, water_level_)),
+      sea_(make_sea(scene, site_.gravity, water_level_)),
       water_surface_(*pool_, {frame_, fluid_.parameters.tank, {}}),
       drive_(scene, frame_, water_level_, fluid_.particles.count),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
@@ -246,6 +243,7 @@ WorldState World::state() const {
   if (spill_) state.oil = spill_->state();
   if (wind_) state.wind = wind_->air();
   state.current = current_;
+  state.sea = sea_;
   state.probes = probes_.settings();
   state.foam = surface_.foam();
   state.effort = effort();
@@ -255,7 +253,7 @@ WorldState World::state() const {
 }
 
 bool World::accepts(const WorldState& state) const {
-  return state.oil.has_value() == spill_.has_value() && bodies_.accepts(state.bodies) &&
+  return state.sea.sound() && state.oil.has_value() == spill_.has_value() && bodies_.accepts(state.bodies) &&
          state.water.particles.phase.empty() == fluid_.particles.phase.empty();
 }
 
@@ -268,6 +266,7 @@ void World::restore(const WorldState& state) {
   wind_.reset();
   if (state.wind) wind_.emplace(wind_site(scene_, frame_, water_level_), *state.wind);
   current_ = state.current;
+  sea_ = state.sea;
   probes_.restore(state.probes);
   surface_.restore_foam(state.foam);
   set_effort(state.effort);
@@ -309,7 +308,7 @@ SceneInfo World::describe() const {
   info.tank = scene_.tank;
   info.tank_walls_visible = scene_.tank_walls_visible;
   info.origin = scene_.origin;
-  info.far_sea.assign(sea_.components().begin(), sea_.components().end());
+  info.sea = sea_;
   for (const BodySettings& body : scene_.bodies)
     info.bodies.push_back(
         {body.id, body.name,

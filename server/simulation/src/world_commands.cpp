@@ -1,5 +1,7 @@
 // What commands do to a world.
 
+#include <fmt/format.h>
+
 #include <type_traits>
 #include <utility>
 
@@ -60,6 +62,7 @@ std::optional<Misfit> World::apply_valid(const Command& command) {
       world.clear_current();
       return {};
     }
+    Refusal operator()(const SetWaves& c) const { return world.set_waves(c); }
     Refusal operator()(const SetEffort& c) const {
       world.set_effort(c.effort);
       return {};
@@ -129,6 +132,13 @@ std::optional<Misfit> World::set_wind(const SetWind& command) {
   }
   wind_->set(wind, clock_.time(), command.ramp_seconds);
   return {};
+}
+
+std::optional<Misfit> World::set_waves(const SetWaves& command) {
+  if (sea_.exchange(wave_components(command.waves, site_.gravity), clock_.time(), command.blend_seconds)) return {};
+  return Misfit{"", fmt::format("{} exchanges of the waves still run; allowed: at most so many, and another one from "
+                                "{:g} s on",
+                                WaveField::kMostLayers - 1, sea_.open_from())};
 }
 
 std::optional<WindSettings> World::wind() const {

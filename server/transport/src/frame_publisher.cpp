@@ -65,6 +65,7 @@ class FramePublisher::Implementation {
         log_(std::move(log)),
         participant_(std::move(participant)),
         scene_writer_(*participant_, topics::scene_info()),
+        sea_writer_(*participant_, topics::sea()),
         shape_writer_(*participant_, topics::body_shape()),
         frame_writer_(*participant_, topics::ocean_frame()),
         status_writer_(*participant_, topics::status()),
@@ -138,8 +139,14 @@ class FramePublisher::Implementation {
       const wire::BodyShapeSample shape(*body.surface, body.id, source_);
       count_write(shape_writer_.write(&shape.get()), "body_shape");
     }
+    publish_now(info.sea);
     const wire::SceneInfoSample sample(info, source_);
     count_write(scene_writer_.write(&sample.get()), "scene_info");
+  }
+
+  void publish_sea(const WaveField& sea) {
+    const std::lock_guard lock(mutex_);
+    waiting_sea_ = sea;
   }
 
   std::uint64_t source() const { return source_; }
@@ -164,6 +171,7 @@ class FramePublisher::Implementation {
     std::unique_ptr<Snapshot> snapshot;
     std::optional<ServerStatus> status;
     std::deque<Event> events;
+    std::optional<WaveField> sea;
     double particle_spacing = 0.0;
   };
 
@@ -189,9 +197,10 @@ class FramePublisher::Implementation {
         const std::lock_guard lock(mutex_);
         work.status = std::exchange(waiting_status_, std::nullopt);
         work.events = std::exchange(events_, {});
+        work.sea = std::exchange(waiting_sea_, std::nullopt);
         work.particle_spacing = particle_spacing_;
       }
-      if (work.snapshot || work.status || !work.events.empty()) return true;
+      if (work.snapshot || work.status || work.sea || !work.events.empty()) return true;
       if (Clock::now() - last_sign_ >= kRepeat) return true;  // with nothing new
       if (last_round) return false;
       std::this_thread::sleep_for(kPoll);
@@ -204,6 +213,7 @@ class FramePublisher::Implementation {
       const pelagos_EventV1 sample = wire::to_wire(event, source_);
       count_write(event_writer_.write(&sample), "event");
     }
+    if (work.sea) publish_now(*work.sea);
     if (work.snapshot) publish_frame(*work.snapshot, work.particle_spacing);
     if (work.snapshot) publish_loads(*work.snapshot);
     if (work.snapshot) publish_probes(*work.snapshot);
@@ -213,6 +223,11 @@ class FramePublisher::Implementation {
     } else if (work.snapshot && is_due(work.snapshot->status)) {
       publish_status(work.snapshot->status);
     }
+  }
+
+  void publish_now(const WaveField& sea) {
+    const wire::SeaSample sample(sea, source_);
+    count_write(sea_writer_.write(&sample.get()), "sea");
   }
 
   /// Once an interval, and at once when the sea stops or goes on.
@@ -337,6 +352,7 @@ class FramePublisher::Implementation {
   RateLimitedLog log_;
   std::shared_ptr<DdsParticipant> participant_;
   DdsWriter scene_writer_;
+  DdsWriter sea_writer_;
   DdsWriter shape_writer_;
   DdsWriter frame_writer_;
   DdsWriter status_writer_;
@@ -364,6 +380,7 @@ class FramePublisher::Implementation {
   mutable std::mutex mutex_;  // guards what follows; submit() and acquire() do without
   std::optional<ServerStatus> waiting_status_;
   std::deque<Event> events_;
+  std::optional<WaveField> waiting_sea_;
   double particle_spacing_ = 0.0;
   PublisherCounters counters_;
   double pack_ms_ = 0.0;  // sums of what counters() gives the mean of
@@ -382,6 +399,7 @@ void FramePublisher::submit(std::unique_ptr<Snapshot> snapshot) { implementation
 void FramePublisher::submit_status(const ServerStatus& status) { implementation_->submit_status(status); }
 void FramePublisher::publish_event(const Event& event) { implementation_->publish_event(event); }
 void FramePublisher::publish_scene_info(const SceneInfo& info) { implementation_->publish_scene_info(info); }
+void FramePublisher::publish_sea(const WaveField& sea) { implementation_->publish_sea(sea); }
 std::uint64_t FramePublisher::source() const { return implementation_->source(); }
 PublisherCounters FramePublisher::counters() const { return implementation_->counters(); }
 std::uint32_t FramePublisher::viewers() const { return implementation_->viewers(); }

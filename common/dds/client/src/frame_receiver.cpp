@@ -41,6 +41,7 @@ class FrameReceiver::Implementation {
         participant_(settings),
         frames_(participant_, topics::ocean_frame()),
         scenes_(participant_, topics::scene_info()),
+        seas_(std::make_unique<DdsReader>(participant_, topics::sea())),
         statuses_(participant_, topics::status()),
         shapes_(std::make_unique<DdsReader>(participant_, topics::body_shape())),
         winds_(participant_, topics::wind()),
@@ -50,6 +51,7 @@ class FrameReceiver::Implementation {
     if (const auto warning = check_receive_buffer()) log_.write(*warning);
     waitset_.attach(frames_);
     waitset_.attach(scenes_);
+    waitset_.attach(*seas_);
     waitset_.attach(*shapes_);
     waitset_.attach(statuses_);
     waitset_.attach(winds_);
@@ -82,11 +84,12 @@ class FrameReceiver::Implementation {
     return arrived_.wait_for(lock, timeout, [this] { return newest_ != nullptr; });
   }
 
-  /// The scene, with the surfaces that have come so far.
+  /// The scene, with the sea's blends and the surfaces that have come so far.
   std::optional<SceneInfo> scene() const {
     const std::lock_guard lock(mutex_);
     std::optional<SceneInfo> scene = scene_;
     if (!scene) return scene;
+    if (sea_) scene->sea = *sea_;
     for (BodyInfo& body : scene->bodies)
       if (const auto found = surfaces_.find(body.id); found != surfaces_.end()) body.surface = found->second;
     return scene;
@@ -140,6 +143,8 @@ class FrameReceiver::Implementation {
     take<pelagos_SceneInfoV1>(
         scenes_, "scene_info", &ReceiverCounters::others_refused, [this](const auto& sample) { accept_scene(sample); },
         [this](const auto& sample, const auto& sender) { keep_for_later(sample, sender); });
+    take<pelagos_SeaV1>(*seas_, "sea", &ReceiverCounters::others_refused,
+                        [this](const auto& sample) { accept_sea(sample); });
     take<pelagos_BodyShapeV1>(*shapes_, "body_shape", &ReceiverCounters::others_refused,
                               [this](const auto& sample) { accept_shape(sample); });
     take<pelagos_WindV1>(winds_, "wind", &ReceiverCounters::others_refused, [this](const auto& sample) {
@@ -160,9 +165,11 @@ class FrameReceiver::Implementation {
       events_.push_back(std::move(event));
       if (events_.size() > kMostEvents) events_.pop_front();
     });
-    if (std::exchange(ask_for_shapes_, false)) {  // a new reader gets what was written once
+    if (std::exchange(ask_again_, false)) {  // a new reader gets what was written once
       shapes_ = std::make_unique<DdsReader>(participant_, topics::body_shape());
       waitset_.attach(*shapes_);
+      seas_ = std::make_unique<DdsReader>(participant_, topics::sea());
+      waitset_.attach(*seas_);
     }
   }
 
@@ -211,9 +218,10 @@ class FrameReceiver::Implementation {
   /// What was known is of another server.
   void go_over_to(const SourceWatch::Sender& sender) {
     count_.restart();
-    ask_for_shapes_ = std::exchange(follows_, true);  // those of the new server were passed over so far
+    ask_again_ = std::exchange(follows_, true);  // shapes and sea of the new server were passed over so far
     const std::lock_guard lock(mutex_);
     scene_.reset();
+    sea_.reset();
     surfaces_.clear();
     status_.reset();
     wind_.reset();
@@ -233,6 +241,13 @@ class FrameReceiver::Implementation {
     const std::lock_guard lock(mutex_);
     scene_ = std::move(scene);
     ++scene_revision_;
+  }
+
+  void accept_sea(const pelagos_SeaV1& sample) {
+    WaveField sea = wire::from_wire(sample);
+    const std::lock_guard lock(mutex_);
+    sea_ = std::move(sea);
+    if (scene_) ++scene_revision_;
   }
 
   void accept_shape(const pelagos_BodyShapeV1& sample) {
@@ -332,6 +347,7 @@ class FrameReceiver::Implementation {
   DdsParticipant participant_;
   DdsReader frames_;
   DdsReader scenes_;
+  std::unique_ptr<DdsReader> seas_;
   DdsReader statuses_;
   std::unique_ptr<DdsReader> shapes_;
   DdsReader winds_;
@@ -343,7 +359,7 @@ class FrameReceiver::Implementation {
   WriterOwners owners_;
   SourceWatch watch_{[this](const ParticipantId& process) { return is_matched(frames_, process); }};
   FrameCount count_;
-  bool follows_ = false, ask_for_shapes_ = false;
+  bool follows_ = false, ask_again_ = false;
   std::deque<std::pair<SourceWatch::Sender, SceneInfo>> other_scenes_;
 
   std::atomic<bool> stop_{false};
@@ -352,6 +368,7 @@ class FrameReceiver::Implementation {
   mutable std::mutex mutex_;                                // guards what follows, and the public members
   mutable std::condition_variable arrived_;
   std::optional<SceneInfo> scene_;
+  std::optional<WaveField> sea_;
   std::map<std::uint32_t, std::shared_ptr<const BodySurface>> surfaces_;  // by body
   std::unique_ptr<OceanFrame> newest_;
   std::vector<std::unique_ptr<OceanFrame>> spare_;

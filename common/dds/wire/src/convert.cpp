@@ -1,5 +1,8 @@
 #include "wire/convert.hpp"
 
+#include <cmath>
+#include <span>
+
 #include "pelagos_dds/frames.hpp"
 #include "text/printable.hpp"
 
@@ -174,10 +177,53 @@ Event from_wire(const pelagos_EventV1& wire) {
   return event;
 }
 
-SceneInfoSample::SceneInfoSample(const SceneInfo& info, std::uint64_t source) {
-  for (const WaveComponent& wave : info.far_sea) {
-    waves_.push_back({wave.amplitude, wave.wavenumber, wave.omega, wave.direction, wave.phase});
+namespace {
+
+std::vector<pelagos_WaveComponentV1> waves_to_wire(std::span<const WaveComponent> waves) {
+  std::vector<pelagos_WaveComponentV1> wire;
+  wire.reserve(waves.size());
+  for (const WaveComponent& wave : waves)
+    wire.push_back({wave.amplitude, wave.wavenumber, wave.omega, wave.direction, wave.phase});
+  return wire;
+}
+
+template <class Sequence>
+std::vector<WaveComponent> waves_from_wire(const Sequence& wire) {
+  std::vector<WaveComponent> waves;
+  waves.reserve(wire._length);
+  for (std::uint32_t i = 0; i < wire._length; ++i) {
+    const pelagos_WaveComponentV1& wave = wire._buffer[i];
+    waves.push_back({wave.amplitude, wave.wavenumber, wave.omega, wave.direction, wave.phase});
   }
+  return waves;
+}
+
+}  // namespace
+
+SeaSample::SeaSample(const WaveField& sea, std::uint64_t source) {
+  waves_.reserve(sea.layers().size());  // lent below: they must not move
+  for (const WaveLayer& layer : sea.layers()) {
+    waves_.push_back(waves_to_wire(layer.components));
+    layers_.push_back({layer.start, layer.seconds, {}});
+    lend(waves_.back(), layers_.back().waves);
+  }
+  sample_.source = source;
+  sample_.water_level = sea.level();
+  sample_.depth = std::isfinite(sea.depth()) ? sea.depth() : 0.0;
+  lend(layers_, sample_.layers);
+}
+
+WaveField from_wire(const pelagos_SeaV1& wire) {
+  std::vector<WaveLayer> layers;
+  for (std::uint32_t i = 0; i < wire.layers._length; ++i) {
+    const pelagos_SeaLayerV1& layer = wire.layers._buffer[i];
+    layers.push_back({waves_from_wire(layer.waves), layer.start, layer.seconds});
+  }
+  return WaveField::of_layers(std::move(layers), wire.water_level, wire.depth > 0.0 ? wire.depth : kInfiniteDepth);
+}
+
+SceneInfoSample::SceneInfoSample(const SceneInfo& info, std::uint64_t source)
+    : waves_(waves_to_wire(info.sea.components())) {
   for (const BodyInfo& body : info.bodies) {
     bodies_.push_back({body.id, c_string(body.name), c_string(body.mesh_file), body.mesh_scale});
   }
@@ -209,10 +255,7 @@ SceneInfo from_wire(const pelagos_SceneInfoV1& wire) {
   info.tank = {from_wire(wire.tank_min), from_wire(wire.tank_max)};
   info.tank_walls_visible = wire.tank_walls_visible;
   info.origin = {wire.origin_latitude_deg, wire.origin_longitude_deg, wire.origin_height};
-  for (std::uint32_t i = 0; i < wire.far_sea._length; ++i) {
-    const pelagos_WaveComponentV1& wave = wire.far_sea._buffer[i];
-    info.far_sea.push_back({wave.amplitude, wave.wavenumber, wave.omega, wave.direction, wave.phase});
-  }
+  info.sea = WaveField(waves_from_wire(wire.far_sea), wire.water_level);
   for (std::uint32_t i = 0; i < wire.bodies._length; ++i) {
     const pelagos_BodyInfoV1& body = wire.bodies._buffer[i];
     info.bodies.push_back({body.id, to_words(body.name), to_string(body.mesh_file), body.mesh_scale});

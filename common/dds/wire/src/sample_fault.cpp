@@ -143,7 +143,7 @@ std::optional<SampleFault> find_fault(const pelagos_SceneInfoV1& info) {
   Checks checks;
   checks.name("scene", info.scene, kLongestName);
   checks.name("build", info.build, kLongestName);
-  checks.count("far_sea", info.far_sea._length, kMostWaves);
+  checks.count("far_sea", info.far_sea._length, kMostSeaWaves);
   checks.count("bodies", info.bodies._length, kMostBodies);
   checks.above_zero("particle_spacing", info.particle_spacing, 1e4);
   checks.above_zero("frame_interval", info.frame_interval, 3600.0);
@@ -161,6 +161,28 @@ std::optional<SampleFault> find_fault(const pelagos_SceneInfoV1& info) {
     checks.at("bodies", i);
     check_shape(checks, info.bodies._buffer[i]);
     checks.that(ids.insert(info.bodies._buffer[i].id).second, "id", "is that of an earlier body too");
+  }
+  return std::move(checks).result();
+}
+
+std::optional<SampleFault> find_fault(const pelagos_SeaV1& sea) {
+  constexpr double kLongestBlend = 3600.0;
+  Checks checks;
+  checks.within("water_level", sea.water_level, -kFarthest, kFarthest);
+  checks.within("depth", sea.depth, 0.0, kFarthest);
+  checks.that(sea.layers._length > 0, "layers", "is empty; allowed: 1 to 8 items");
+  checks.count("layers", sea.layers._length, WaveField::kMostLayers);
+  std::uint64_t waves = 0;
+  for (std::uint32_t i = 0; i < sea.layers._length && !checks.failed(); ++i) {
+    const pelagos_SeaLayerV1& layer = sea.layers._buffer[i];
+    checks.at("layers", i);
+    checks.within("start", layer.start, -kLongestTime, kLongestTime);
+    checks.within("seconds", layer.seconds, 0.0, kLongestBlend);
+    checks.count("waves", waves += layer.waves._length, kMostSeaWaves);
+    for (std::uint32_t k = 0; k < layer.waves._length && !checks.failed(); ++k) {
+      checks.at("layers.waves", k);
+      check_wave(checks, layer.waves._buffer[k]);
+    }
   }
   return std::move(checks).result();
 }

@@ -41,6 +41,8 @@ TopicSpec scene_info() {
   return {"scene_info_v1", &pelagos_SceneInfoV1_desc, writer, for_late(reader_qos())};
 }
 
+TopicSpec sea() { return {"sea_v1", &pelagos_SeaV1_desc, for_late({}), for_late(reader_qos())}; }
+
 TopicSpec body_shape() {
   TopicQos reader = for_late(reader_qos());
   reader.most_instances = 4 * kMostBodies;  // they are large

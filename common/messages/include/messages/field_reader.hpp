@@ -75,7 +75,7 @@ class FieldReader {
 
   /// Notes a fault of a field of this message, or of the message itself (name "").
   void fault(const char* name, std::string what) const;
-  /// Notes what does not fit: its field may be a path, as in "pulse.width".
+  /// Notes what does not fit: its field may be a path, as in "pulse.width" or "wave[2].length".
   void fault(const Misfit& misfit) const;
   [[nodiscard]] std::size_t fault_count() const { return faults_->size(); }
 

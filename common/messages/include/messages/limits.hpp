@@ -7,8 +7,8 @@
 
 namespace pelagos {
 
-/// What commands about wind, current, oil and probes may hold: checked when they are read, and told by the help of
-/// pelagos-ctl. They are those of the .proto files.
+/// What commands about wind, current, waves, oil and probes may hold: checked when they are read, and told by the help
+/// of pelagos-ctl. They are those of the .proto files.
 namespace limits {
 
 inline constexpr double kStrongestWind = 75.0;     // m/s; the strongest sustained winds at sea stay below 100 m/s
@@ -27,6 +27,13 @@ inline constexpr Range kCurrentSpeed{0.0, kStrongestCurrent, "m/s"};
 inline constexpr Range kCurrentTo{0.0, 360.0, "degrees clockwise from north, where the current sets towards"};
 inline constexpr Range kCurrentDepth{0.01, 11e3, "m"};  // down to the deepest trench
 inline constexpr Range kRelaxation{0.5, 3600.0, "s"};
+
+inline constexpr Range kWaveAmplitude{1e-3, 15.0, "m"};
+inline constexpr Range kWaveLength{0.1, 10000.0, "m"};
+inline constexpr Range kWavePeriod{0.25, 80.0, "s"};  // in deep water waves of 0.1 to 10,000 m
+inline constexpr Range kWaveTo{0.0, 360.0, "degrees clockwise from north, where the wave runs to"};
+inline constexpr Range kWavePhase{-360.0, 360.0, "degrees"};
+inline constexpr Range kBlend{0.0, 3600.0, "s"};
 
 inline constexpr std::size_t kLongestName = 64;
 inline constexpr Range kReleaseRate{1e-3, 1e6, "m^3/h"};

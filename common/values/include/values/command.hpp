@@ -4,11 +4,13 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "values/current.hpp"
 #include "values/effort.hpp"
 #include "values/probe.hpp"
 #include "values/spill.hpp"
+#include "values/wave_settings.hpp"
 #include "values/wind_change.hpp"
 
 namespace pelagos {
@@ -32,6 +34,11 @@ struct SetCurrent {
 };
 /// No current from now on: water that moves with it is slowed down.
 struct ClearCurrent {};
+/// Exchange all waves around the patch for these, over `blend_seconds` (0: at once).
+struct SetWaves {
+  std::vector<WaveSettings> waves;  ///< none: a flat sea
+  double blend_seconds = 0.0;
+};
 struct PauseSimulation {};
 struct ResumeSimulation {};
 /// While paused: advance by so many time steps.
@@ -48,7 +55,7 @@ struct SetEffort {
 /// What concerns oil; see values/spill.hpp.
 using OilCommand = std::variant<ReleaseOil, StopRelease, SpillOil, SetBoom, RemoveBoom, SetSkimmer, RemoveSkimmer>;
 
-using Command = std::variant<SetWind, ClearWind, SetCurrent, ClearCurrent, PauseSimulation, ResumeSimulation,
+using Command = std::variant<SetWind, ClearWind, SetCurrent, ClearCurrent, SetWaves, PauseSimulation, ResumeSimulation,
                              StepSimulation, SetEffort, SetProbe, RemoveProbe, OilCommand>;
 
 /// A command that a scene gives at a time.

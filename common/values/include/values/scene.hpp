@@ -14,6 +14,7 @@
 #include "values/current.hpp"
 #include "values/oil.hpp"
 #include "values/probe.hpp"
+#include "values/wave_settings.hpp"
 #include "values/wind.hpp"
 
 namespace pelagos {
@@ -187,11 +188,15 @@ struct BodySettings {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world
 };
 
+/// m/s^2, for what needs a scale where the scene has no gravity.
+inline constexpr double kStandardGravity = 9.81;
+
 /// The sea outside the simulated patch: visual only. Heights by Beaufort number, direction waves run TOWARDS.
 struct FarSeaSettings {
   int beaufort = 0;
   double wave_to_deg = 0.0;  ///< clockwise from north
   std::uint32_t components = 24;
+  std::vector<WaveSettings> waves = {};  ///< in place of the three above; none: by them
 };
 
 /// World origin on the WGS84 ellipsoid, degrees and metres.

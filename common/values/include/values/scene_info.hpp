@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "values/scene.hpp"
-#include "waves/wave_components.hpp"
+#include "waves/wave_field.hpp"
 
 namespace pelagos {
 
@@ -45,7 +45,7 @@ struct SceneInfo {
   Box tank;                          ///< m, world
   bool tank_walls_visible = false;
   GeodeticOrigin origin;
-  std::vector<WaveComponent> far_sea;
+  WaveField sea;  ///< around the tank; on the wire `sea_v1` has it with the blends that run
   std::vector<BodyInfo> bodies;
 };
 

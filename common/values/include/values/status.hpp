@@ -13,6 +13,7 @@
 #include "values/hold_reading.hpp"
 #include "values/oil_budget.hpp"
 #include "values/wind.hpp"
+#include "waves/wave_field.hpp"
 
 namespace pelagos {
 
@@ -35,6 +36,17 @@ struct CommandLogState {
   std::size_t waiting = 0;  ///< lines in memory that the disk has no room for
   std::size_t lost = 0;     ///< lines that there was no room for in memory either
 };
+
+/// The waves around the patch.
+struct SeaStatus {
+  double significant_height = 0.0;  ///< m: of the sea that there is, or that it blends into
+  std::uint32_t waves = 0;          ///< components of that sea; 0: flat
+  std::optional<WaveComponent> highest;
+  double share = 1.0;         ///< 0..1, that it has by now
+  double blend_left = 0.0;    ///< s of simulated time, until it is there in full
+  std::uint32_t earlier = 0;  ///< seas before it that still have a share
+};
+[[nodiscard]] SeaStatus sea_status(const WaveField& sea, double time);
 
 /// The health of the server, as published on `status_v2` and answered over the control link. All over the last second
 /// unless stated.
@@ -72,7 +84,8 @@ struct ServerStatus {
   std::optional<WindSettings> wind;               ///< as blowing now (mean, mid-ramp values included)
   std::optional<CurrentSettings> current;         ///< as running now (mid-ramp velocity included)
   std::array<bool, 2> moves_water{false, false};  ///< for x, y: whether the water itself moves with a current
-  std::uint32_t scheduled = 0;                    ///< commands that wait for their time
+  SeaStatus sea;
+  std::uint32_t scheduled = 0;  ///< commands that wait for their time
   std::vector<BodyState> bodies;
   std::vector<HoldReading> holds;              ///< of the bodies that have one
   std::vector<std::string> start_notes;        ///< what the operator should know about the start of the scene

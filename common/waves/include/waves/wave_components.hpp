@@ -15,6 +15,15 @@ struct WaveComponent {
   float omega = 0;       ///< rad/s, omega^2 = g k
   float direction = 0;   ///< rad, anticlockwise from east (x), the way the crests move
   float phase = 0;       ///< rad
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("amplitude", self.amplitude);
+    visit("wavenumber", self.wavenumber);
+    visit("omega", self.omega);
+    visit("direction", self.direction);
+    visit("phase", self.phase);
+  }
 };
 
 /// The surface z = elevation(x, y, t) of linear theory at one point.

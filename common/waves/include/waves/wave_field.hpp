@@ -16,6 +16,16 @@ struct WaveLayer {
   std::vector<WaveComponent> components;
   double start = 0.0;    ///< s, simulation time
   double seconds = 0.0;  ///< <= 0: at once
+
+  /// 0..1 at a time, s.
+  [[nodiscard]] double share_at(double time) const;
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("components", self.components);
+    visit("start", self.start);
+    visit("seconds", self.seconds);
+  }
 };
 
 /// The waves of an open sea as a sum of linear components, a value that may be copied and asked on any thread. Server
@@ -31,9 +41,16 @@ class WaveField {
   /// @param level  m, world z of the mean level   @param depth  m, > 0; kInfiniteDepth: deep water
   WaveField(std::vector<WaveComponent> components, double level, double depth = kInfiniteDepth);
 
+  /// @param layers  1 to kMostLayers, in order of their starts. The first one fills what the others leave: it has no
+  /// start
+  [[nodiscard]] static WaveField of_layers(std::vector<WaveLayer> layers, double level, double depth = kInfiniteDepth);
+
   /// From `time` on blends into other components over `seconds`. Layers that no longer count then are dropped.
   /// @return false, and nothing has changed, where kMostLayers blends still run
   [[nodiscard]] bool exchange(std::vector<WaveComponent> components, double time, double seconds);
+
+  /// s, simulated: from when on exchange() takes another sea.
+  [[nodiscard]] double open_from() const;
 
   /// All waves at `time`, for places about `anchor` (m, world).
   [[nodiscard]] WaveMoment at(double time, const Eigen::Vector2d& anchor) const;
@@ -45,6 +62,15 @@ class WaveField {
   [[nodiscard]] double depth() const { return depth_; }
 
   static constexpr std::size_t kMostLayers = 8;
+  /// Whether it has layers, and not too many, as all fields have that were not read from bytes.
+  [[nodiscard]] bool sound() const { return !layers_.empty() && layers_.size() <= kMostLayers; }
+
+  template <class Self, class Visitor>
+  static void visit_fields(Self& self, Visitor& visit) {
+    visit("layers", self.layers_);
+    visit("level", self.level_);
+    visit("depth", self.depth_);
+  }
 
  private:
   std::vector<WaveLayer> layers_ = std::vector<WaveLayer>(1);

@@ -105,7 +105,7 @@ class World {
 
   /// All that the future depends on: a copy. `restore` goes on from it, with the same bits.
   [[nodiscard]] WorldState state() const;
-  /// Whether a state can be one of this world's scene: as many bodies, oil where the scene has it.
+  /// Whether a state can be one of this world's scene: as many bodies, oil where the scene has it, a sea.
   [[nodiscard]] bool accepts(const WorldState& state) const;
   /// Goes on from a state of a world of the same scene.
   void restore(const WorldState& state);
@@ -143,6 +143,7 @@ class World {
   [[nodiscard]] CommandOutcome apply(const Command& command);
   [[nodiscard]] std::optional<Misfit> apply_valid(const Command& command);
   [[nodiscard]] std::optional<Misfit> set_wind(const SetWind& command);
+  [[nodiscard]] std::optional<Misfit> set_waves(const SetWaves& command);
   void set_current(const CurrentSettings& current, double ramp_seconds);
   void clear_current();
   void set_effort(const Effort& effort);

@@ -13,6 +13,7 @@
 #include "values/current.hpp"
 #include "values/effort.hpp"
 #include "values/probe.hpp"
+#include "waves/wave_field.hpp"
 #include "wind/air.hpp"
 
 namespace pelagos {
@@ -56,6 +57,7 @@ struct WorldState {
   std::optional<OilSpillState> oil;
   std::optional<Air> wind;  ///< its ramp included
   CurrentState current;
+  WaveField sea;                                  ///< around the patch, with the blends that run
   std::map<std::uint32_t, ProbeSettings> probes;  ///< by id
   std::vector<FoamOfParticle> foam;               ///< by particle
   Effort effort;
@@ -71,6 +73,7 @@ struct WorldState {
     visit("oil", self.oil);
     visit("wind", self.wind);
     visit("current", self.current);
+    visit("sea", self.sea);
     visit("probes", self.probes);
     visit("foam", self.foam);
     visit("effort", self.effort);

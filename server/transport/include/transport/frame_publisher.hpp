@@ -68,6 +68,9 @@ class FramePublisher {
   /// Replaces what late viewers get.
   void publish_scene_info(const SceneInfo& info);
 
+  /// Queued; goes out before the next frame. Only the newest counts. For viewers that come at any time.
+  void publish_sea(const WaveField& sea);
+
   [[nodiscard]] std::uint64_t source() const;
   [[nodiscard]] PublisherCounters counters() const;
   /// Viewers connected, as far as is known: one that died counts for up to 10 s more.

@@ -75,10 +75,10 @@ class FrameReceiver {
   /// Waits until take_newest() has something. False after `timeout`.
   [[nodiscard]] bool wait_for_frame(std::chrono::milliseconds timeout) const;
 
-  /// Of the server that is followed; empty until it has come (a late viewer gets it within a second or so). Surfaces of
-  /// its bodies come one by one, mostly before it.
+  /// Of the server that is followed; empty until it has come (a late viewer gets it within a second or so). Its sea
+  /// is the newest that has come; surfaces of its bodies come one by one, mostly before it.
   [[nodiscard]] std::optional<SceneInfo> scene_info() const;
-  /// Goes up by one with each scene_info and each surface of a body that comes: when to look again.
+  /// Goes up by one with each scene_info, each sea and each surface of a body that comes: when to look again.
   [[nodiscard]] std::uint64_t scene_revision() const;
   [[nodiscard]] std::optional<ServerStatus> status() const;
   /// The wind that blows; empty if none does or nothing is known yet.

@@ -69,6 +69,19 @@ class SceneInfoSample {
 };
 [[nodiscard]] SceneInfo from_wire(const pelagos_SceneInfoV1& info);
 
+class SeaSample {
+ public:
+  SeaSample(const WaveField& sea, std::uint64_t source);
+  [[nodiscard]] const pelagos_SeaV1& get() const { return sample_; }
+
+ private:
+  std::vector<std::vector<pelagos_WaveComponentV1>> waves_;
+  std::vector<pelagos_SeaLayerV1> layers_;
+  pelagos_SeaV1 sample_{};
+};
+/// Does not validate: see find_fault.
+[[nodiscard]] WaveField from_wire(const pelagos_SeaV1& sea);
+
 class BodyShapeSample {
  public:
   BodyShapeSample(const BodySurface& surface, std::uint32_t body, std::uint64_t source);

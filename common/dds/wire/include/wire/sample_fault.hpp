@@ -13,8 +13,8 @@
 namespace pelagos::wire {
 
 /// Limits of what a viewer takes, each far beyond what a server sends.
-inline constexpr std::uint32_t kMostBodies = 64;   ///< of a scene, and of a frame
-inline constexpr std::uint32_t kMostWaves = 4096;  ///< of the far sea
+inline constexpr std::uint32_t kMostBodies = 64;      ///< of a scene, and of a frame
+inline constexpr std::uint32_t kMostSeaWaves = 4096;  ///< of the far sea, all layers together
 inline constexpr std::uint32_t kMostParticles = 4'000'000;
 inline constexpr std::uint32_t kMostSlickElements = 200'000;
 inline constexpr std::size_t kLongestName = 256;      ///< bytes: of scene, build and body
@@ -29,6 +29,7 @@ struct SampleFault {
 /// Nothing if a viewer can compute with everything in the sample, and the payload holds `count` whole records.
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_OceanFrameV1& frame);
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_SceneInfoV1& info);
+[[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_SeaV1& sea);
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_BodyShapeV1& shape);
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_StatusV2& status);
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_WindV1& wind);

@@ -8,6 +8,7 @@ namespace pelagos::topics {
 
 [[nodiscard]] TopicSpec ocean_frame();
 [[nodiscard]] TopicSpec scene_info();
+[[nodiscard]] TopicSpec sea();
 [[nodiscard]] TopicSpec body_shape();
 [[nodiscard]] TopicSpec status();
 [[nodiscard]] TopicSpec wind();

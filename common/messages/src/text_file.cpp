@@ -1,4 +1,4 @@
-#include "text_file.hpp"
+#include "messages/text_file.hpp"
 
 #include <algorithm>
 #include <fstream>
