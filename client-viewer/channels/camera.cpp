@@ -1,17 +1,16 @@
 #include "channels/camera.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "scales/angles.hpp"
 
 namespace pelagos {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180.0;
-
 /// Turn in the body axes (x forward, y port, z up): first pitch about the port axis, then yaw about the up axis.
 Eigen::Matrix3d turn(double yaw_to_starboard_deg, double pitch_up_deg) {
-  return (Eigen::AngleAxisd(-yaw_to_starboard_deg * kRadians, Eigen::Vector3d::UnitZ()) *
-          Eigen::AngleAxisd(-pitch_up_deg * kRadians, Eigen::Vector3d::UnitY()))
+  return (Eigen::AngleAxisd(-yaw_to_starboard_deg * kRadiansPerDegree, Eigen::Vector3d::UnitZ()) *
+          Eigen::AngleAxisd(-pitch_up_deg * kRadiansPerDegree, Eigen::Vector3d::UnitY()))
       .toRotationMatrix();
 }
 
@@ -58,7 +57,7 @@ std::optional<Camera> camera_for(const Channel& channel, std::span<const BodySta
   camera.view_from_world.row(0) = -axes.col(1).transpose();
   camera.view_from_world.row(1) = axes.col(2).transpose();
   camera.view_from_world.row(2) = axes.col(0).transpose();
-  camera.tan_half_x = std::tan(0.5 * channel.horizontal_fov_deg * kRadians);
+  camera.tan_half_x = std::tan(0.5 * channel.horizontal_fov_deg * kRadiansPerDegree);
   camera.tan_half_y = camera.tan_half_x * height / width;
   camera.width = width;
   camera.height = height;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "mesh_import/import_mesh.hpp"
+#include "scales/angles.hpp"
 #include "text/printable.hpp"
 
 namespace pelagos {
@@ -41,7 +41,7 @@ Fans fans_of(const TriangleMesh& mesh) {
 Eigen::Vector3f normal_at(std::uint32_t vertex, const Eigen::Vector3d& own, const Fans& fans,
                           const std::vector<Eigen::Vector3d>& areas) {
   constexpr std::uint32_t kMostAround = 256;
-  static const double least_cosine = std::cos(kCreaseDegrees * std::numbers::pi / 180.0);
+  static const double least_cosine = std::cos(kCreaseDegrees * kRadiansPerDegree);
   const std::uint32_t begin = fans.first[vertex], end = fans.first[vertex + 1];
   if (end - begin > kMostAround) return own.cast<float>();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();

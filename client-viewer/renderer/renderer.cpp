@@ -13,13 +13,13 @@
 #include "renderer/mesh.hpp"
 #include "renderer/opaque.hpp"
 #include "renderer/view_block.hpp"
+#include "scales/scales.hpp"
 #include "waves/patch_blend.hpp"
 #include "waves/wave_field.hpp"
 
 namespace pelagos {
 namespace {
 
-constexpr double kGravity = 9.81;
 constexpr float kSprayThreshold = 0.5F;
 constexpr double kVisibility = 9000.0;  // m
 // Pixels that the particles of a picture may cover, in pictures: a frame of huge ellipsoids must not take minutes. The
@@ -41,7 +41,7 @@ Eigen::Vector2d main_direction(std::span<const MomentWave> waves) {
 double wind_of_sea(std::span<const MomentWave> waves) {
   double variance = 0.0;
   for (const MomentWave& w : waves) variance += 0.5 * static_cast<double>(w.amplitude) * w.amplitude;
-  return std::sqrt(4.0 * std::sqrt(variance) * kGravity / 0.21);
+  return std::sqrt(4.0 * std::sqrt(variance) * kStandardGravity / 0.21);
 }
 
 /// Crests break where the waves fold the surface below `threshold` (determinant of the horizontal displacement's

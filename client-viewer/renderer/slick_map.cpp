@@ -6,8 +6,8 @@
 namespace pelagos {
 namespace {
 
-/// Radius of an element's bell by that of its disc: the disc holds the bell's oil spread evenly.
-constexpr double kReachPerRadius = 1.0 / 0.6312;
+/// Radius of an element's bell by that of its disc.
+constexpr double kReachPerRadius = 1.0 / kDiscPerSize;
 constexpr double kTexelsPerReach = 8.0;  // a bell so fine is smooth under linear interpolation
 constexpr float kFringe = 2.5F;          // reaches, to where sheen goes out from free oil
 constexpr float kHeldFringe = 1.3F;      // the same where a boom holds it, so that none shows beyond the boom
@@ -98,6 +98,7 @@ void SlickMap::draw(const Slick& slick, const SlickPlace& place) {
   glBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
   glBlendFunc(GL_ONE, GL_ONE);
   program_.use();
+  program_.set("edge", static_cast<float>(kDiscPerSize));
   nothing_.bind();
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(drawn.size()));
   glDisable(GL_BLEND);

@@ -3,10 +3,10 @@
 // beyond its bell an element still says of what oil the fringe is.
 in vec2 corner;
 flat in vec4 traits;  // thickness (um), water, reach, fringe (reaches)
+uniform float edge;   // of the disc, in reaches
 layout(location = 0) out vec4 film;  // sums of weight * thickness, the same * water, weight; largest closeness
 void main() {
-  const float edge = 0.6312;  // of the disc, in reaches
-  float fringe = traits.w;    // where all ends
+  float fringe = traits.w;  // where all ends
   float q = length(corner);
   float near = max(1.0 - q, 0.0), tail = max(1.0 - q / fringe, 0.0);
   float weight = (near * near * near * near * (1.0 + 4.0 * q) + 1e-3 * tail * tail) / (traits.z * traits.z);

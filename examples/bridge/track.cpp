@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <sstream>
 
 #include "text/characters.hpp"
@@ -14,8 +15,8 @@
 namespace pelagos::example {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kRadians = kPi / 180.0;
+using std::numbers::pi;
+constexpr double kRadians = pi / 180.0;
 constexpr std::size_t kMostPoints = 1000000;
 
 // A column of the file: its name, where it goes, the largest magnitude allowed, and whether it may be left out.
@@ -148,8 +149,8 @@ ShipState oval_state(const OvalTrack& oval, double time) {
   // Ramanujan's approximation of an ellipse's circumference gives the mean speed asked for.
   const double a = oval.radius_east;
   const double b = oval.radius_north;
-  const double circumference = kPi * (3.0 * (a + b) - std::sqrt((3.0 * a + b) * (a + 3.0 * b)));
-  const double angle = 2.0 * kPi * oval.speed / circumference * time;
+  const double circumference = pi * (3.0 * (a + b) - std::sqrt((3.0 * a + b) * (a + 3.0 * b)));
+  const double angle = 2.0 * pi * oval.speed / circumference * time;
   ShipState state;
   state.time = time;
   state.east = oval.east + a * std::sin(angle);
@@ -239,9 +240,9 @@ ShipState state_at(const Track& track, double time) {
   const auto* file = std::get_if<FileTrack>(&track.path);
   ShipState state = file != nullptr ? file_state(*file, time) : oval_state(std::get<OvalTrack>(track.path), time);
   // Periods of a small ship in a moderate sea, none a multiple of another.
-  state.up += track.sea.heave * std::sin(2.0 * kPi * time / 6.3);
-  state.pitch_deg += track.sea.pitch_deg * std::sin(2.0 * kPi * time / 5.1);
-  state.roll_deg += track.sea.roll_deg * std::sin(2.0 * kPi * time / 7.7);
+  state.up += track.sea.heave * std::sin(2.0 * pi * time / 6.3);
+  state.pitch_deg += track.sea.pitch_deg * std::sin(2.0 * pi * time / 5.1);
+  state.roll_deg += track.sea.roll_deg * std::sin(2.0 * pi * time / 7.7);
   return state;
 }
 

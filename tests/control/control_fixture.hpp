@@ -233,10 +233,7 @@ class ControlTest : public testing::Test {
       return {};
     }
     WindSettings wind;
-    if (auto misfit = merge_wind(set->wind, status_.wind, wind)) {
-      misfit->field = misfit->field.empty() ? "wind" : "wind." + misfit->field;
-      return misfit;
-    }
+    if (auto misfit = merge_wind(*set, status_.wind, wind)) return misfit;
     status_.wind = wind;
     commands_.push_back(SetWind{wind, set->ramp_seconds});
     return {};

@@ -95,6 +95,13 @@ TEST(Fields, ComeBackFromBytes) {
   EXPECT_EQ(to_bytes(one), to_bytes(other));
 }
 
+TEST(Fields, AreHashedAsTheirBytes) {
+  const std::vector<std::byte> bytes = to_bytes(sample());
+  ByteHash hash;
+  hash.add(bytes.data(), bytes.size());
+  EXPECT_EQ(hash_fields(sample()), hash.value());
+}
+
 TEST(Fields, NameTheFirstDifference) {
   const Everything one = sample();
   Everything other = sample();

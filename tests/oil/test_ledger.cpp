@@ -49,7 +49,7 @@ class RandomHandler {
                                {{place, place + Eigen::Vector2d(number(-20.0, 20.0), 10.0)}, 0.5, 0.2, 1.0});
         break;
       case 7:
-        if (random_() % 20 == 0) (void)layer.remove_boom("b" + std::to_string(random_() % 2));
+        if (random_() % 20 == 0) layer.remove_boom("b" + std::to_string(random_() % 2));
         break;
       default:
         layer.advance(number(0.0, 2.0), PlacedSurroundings(moving({number(-1.0, 1.0), number(-1.0, 1.0)},

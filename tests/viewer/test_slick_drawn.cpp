@@ -291,7 +291,7 @@ TEST(SlickPlace, HoldsTheDiscsOnAGridOfTheWorld) {
   EXPECT_LT(place.corner.y(), origin.y() - 11.0 - 3.0);
   EXPECT_GT(place.corner.x() + place.length, origin.x() + 25.0 + 3.0);
   EXPECT_GT(place.corner.y() + place.length, origin.y() + 4.0 + 2.0);
-  EXPECT_LT(texel, 0.2 * 2.0 / 0.6312) << "too coarse for the bell of the smaller disc";
+  EXPECT_LT(texel, 0.2 * 2.0 / kDiscPerSize) << "too coarse for the bell of the smaller disc";
   EXPECT_TRUE(place.centre.isApprox(origin.head<2>() + Eigen::Vector2d(-2.5, -3.5), 1e-9));  // equal masses
 
   std::vector<SlickDisc> drifted = discs;
@@ -307,7 +307,7 @@ TEST(SlickPlace, BoundsWhatThereIsToDraw) {
   const double side = 512.0 * 2.0 * 1e5 / place.length;  // of a disc's square without its fringe, pixels
   EXPECT_LT(side * side * 1e5, 16e6);
   const std::vector<SlickDisc> usual(4000, disc(0.0, 0.0, 2.0F, 1e-3F));
-  EXPECT_LT(place_of({usual, kMiddle}, 512).length / 512, 0.2 * 2.0 / 0.6312);
+  EXPECT_LT(place_of({usual, kMiddle}, 512).length / 512, 0.2 * 2.0 / kDiscPerSize);
 }
 
 TEST(SlickPlace, TakesExtremeDiscs) {

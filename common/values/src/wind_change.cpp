@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "values/command.hpp"
+
 namespace pelagos {
 
 namespace {
@@ -87,6 +89,13 @@ std::optional<Misfit> merge_wind(const WindChange& change, const std::optional<W
   if (auto fault = merge_pulse(change, merged)) return fault;
   wind = merged;
   return {};
+}
+
+std::optional<Misfit> merge_wind(const SetWind& command, const std::optional<WindSettings>& present,
+                                 WindSettings& wind) {
+  auto misfit = merge_wind(command.wind, present, wind);
+  if (misfit) misfit->field = misfit->field.empty() ? "wind" : "wind." + misfit->field;
+  return misfit;
 }
 
 }  // namespace pelagos

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scales/angles.hpp"
 #include "waves/splitmix.hpp"
 
 namespace pelagos {
@@ -88,7 +89,6 @@ std::vector<WaveComponent> make_wave_components(const SeaState& sea) {
   const double band_ratio = kHighestRatio / kLowestRatio;
   const double whole = energy_below(kHighestRatio) - energy_below(kLowestRatio);
   const double main_direction = 0.5 * kPi - sea.wave_to_deg * kPi / 180.0;  // compass to anticlockwise from east
-  constexpr double kGolden = 0.6180339887498949;
 
   SplitMix64 random(sea.seed);
   const double first_quantile = random.next_unit();
@@ -99,7 +99,7 @@ std::vector<WaveComponent> make_wave_components(const SeaState& sea) {
     const double upper = kLowestRatio * std::pow(band_ratio, (i + 1) / count);
     const double ratio = lower * std::pow(upper / lower, random.next_unit());
     const double variance = height * height / 16.0 * (energy_below(upper) - energy_below(lower)) / whole;
-    const double quantile = first_quantile + i * kGolden;
+    const double quantile = first_quantile + i * kGoldenPart;
     const double spread = spreading_angle(spreading_exponent(ratio), quantile - std::floor(quantile));
     const double omega = ratio * peak;
     components.push_back({.amplitude = static_cast<float>(std::sqrt(2.0 * variance)),

@@ -13,7 +13,6 @@
 #include "oil/weathering.hpp"
 #include "resampling.hpp"
 #include "skimmers.hpp"
-#include "values/oil_limits.hpp"
 
 namespace pelagos {
 
@@ -41,28 +40,6 @@ SpreadLaw spread_law(const SlickSettings& s) {
 std::optional<std::string> check_submerged(double mass, Milligrams submerged) {
   return check("mass", mass, to_milligrams(mass) <= submerged,
                "at most the " + number_text(to_kilograms(submerged)) + " kg that are submerged");
-}
-
-template <typename Map>
-std::optional<std::string> check_name(const Map& map, const std::string& name) {
-  if (map.contains(name)) return {};
-  std::string names;
-  for (const auto& [other, state] : map) names += (names.empty() ? "" : ", ") + other;
-  return "name = \"" + name + "\"; allowed: " + (names.empty() ? "nothing, there is none" : names);
-}
-
-std::optional<std::string> find_no_room(const std::map<std::string, BoomState>& booms, const std::string& name,
-                                        const Boom& boom) {
-  if (!booms.contains(name) && booms.size() >= kMostBooms)
-    return "there are " + std::to_string(booms.size()) + " booms; allowed: at most " + std::to_string(kMostBooms) +
-           "; remove one first";
-  std::size_t others = 0;
-  for (const auto& [other, state] : booms) others += other == name ? 0 : state.boom.line.size();
-  if (others + boom.line.size() <= kMostBoomPoints) return {};
-  return describe_fault("line: points", static_cast<double>(boom.line.size()),
-                        "at most " + std::to_string(kMostBoomPoints - others) +
-                            ", as all booms together have at most " + std::to_string(kMostBoomPoints) +
-                            " and the others have " + std::to_string(others));
 }
 
 }  // namespace
@@ -148,7 +125,6 @@ std::vector<ReturnedOil> SlickLayer::give_back() {
 
 std::optional<std::string> SlickLayer::set_boom(const std::string& name, const Boom& boom) {
   if (auto fault = find_fault(boom)) return fault;
-  if (auto fault = find_no_room(state_.booms, name, boom)) return fault;
   BoomState& state = state_.booms[name];
   surface_leaks(state);
   const std::size_t segments = boom.line.size() - 1;
@@ -159,28 +135,21 @@ std::optional<std::string> SlickLayer::set_boom(const std::string& name, const B
 
 std::optional<std::string> SlickLayer::set_skimmer(const std::string& name, const Skimmer& skimmer) {
   if (auto fault = find_fault(skimmer)) return fault;
-  if (!state_.skimmers.contains(name) && state_.skimmers.size() >= kMostSkimmers)
-    return "there are " + std::to_string(state_.skimmers.size()) + " skimmers; allowed: at most " +
-           std::to_string(kMostSkimmers) + "; remove one first";
   state_.skimmers[name].skimmer = skimmer;
   return {};
 }
 
-std::optional<std::string> SlickLayer::remove_boom(const std::string& name) {
-  if (auto fault = check_name(state_.booms, name)) return fault;
-  surface_leaks(state_.booms[name]);
-  state_.booms.erase(name);
+void SlickLayer::remove_boom(const std::string& name) {
+  const auto boom = state_.booms.find(name);
+  if (boom == state_.booms.end()) return;
+  surface_leaks(boom->second);
+  state_.booms.erase(boom);
   work_->barriers.remove(name);
   if (state_.booms.empty())
     for (SlickElement& e : state_.elements) e.contained = false;
-  return {};
 }
 
-std::optional<std::string> SlickLayer::remove_skimmer(const std::string& name) {
-  if (auto fault = check_name(state_.skimmers, name)) return fault;
-  state_.skimmers.erase(name);
-  return {};
-}
+void SlickLayer::remove_skimmer(const std::string& name) { state_.skimmers.erase(name); }
 
 void SlickLayer::surface_leaks(BoomState& boom) {
   for (SlickElement& pool : boom.passing)

@@ -75,7 +75,7 @@ void filter_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& r
   compute_velocity_gradients(pool, data, state.gradients, state.corrections, p.velocity, state.velocity_gradients);
   compute_filter(pool, data, state.velocity_gradients, state.filter_change, p.density);
   report.pair_passes += 2;
-  const double rate = q.filter * std::sqrt((q.gravity > 0.0 ? q.gravity : kStandardGravity) / q.spacing);
+  const double rate = q.filter * std::sqrt(scale_gravity(q.gravity) / q.spacing);
   const auto factor = static_cast<float>(std::min(dt * rate, kLargestFilterStep));
   add_scaled_vectors(pool, factor, of_particles(state, state.filter_change.all), p.velocity);
   give_filter_to_bodies(pool, state, factor);

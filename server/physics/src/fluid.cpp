@@ -117,9 +117,7 @@ namespace {
 /// Largest nu dt / d^2 of an explicit step: twice as much is unstable.
 constexpr double kExplicitViscosity = 0.1;
 
-double usual_longest_step(const FluidParameters& q) {
-  return 0.07 * std::sqrt(q.spacing / (q.gravity > 0.0 ? q.gravity : kStandardGravity));
-}
+double usual_longest_step(const FluidParameters& q) { return usual_step(q.spacing, scale_gravity(q.gravity)); }
 
 /// Of one phase or of a pair, on the lighter partner; m^2/s.
 double largest_viscosity(const PhasePair& pair) {

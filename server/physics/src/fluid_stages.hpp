@@ -95,8 +95,6 @@ void run_stage(StepReport& report, Clock clock, Stage stage, F&& f) {
   f();
 }
 
-/// m/s^2, for what needs a scale where there is no gravity.
-inline constexpr double kStandardGravity = 9.81;
 /// The filter's explicit step is stable up to about 1; it never takes more than this share of the noise at once.
 inline constexpr double kLargestFilterStep = 0.5;
 

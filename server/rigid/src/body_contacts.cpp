@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "rigid/convex_hull.hpp"
+#include "scales/scales.hpp"
 
 namespace pelagos {
 
@@ -72,7 +73,7 @@ struct BodyContacts::World {
     shapes.push_back(std::move(shape));
     return body;
   }
-  [[nodiscard]] double push_out_speed() const { return kPushOutSpeed * std::sqrt(9.81 * length); }
+  [[nodiscard]] double push_out_speed() const { return kPushOutSpeed * std::sqrt(kStandardGravity * length); }
   [[nodiscard]] static double reach(const btRigidBody& body) {
     btVector3 centre;
     btScalar radius = 0.0;

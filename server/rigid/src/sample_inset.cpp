@@ -3,19 +3,19 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
 #include "mesh_edges.hpp"
+#include "scales/angles.hpp"
 
 namespace pelagos {
 
 namespace {
 
-constexpr double kFlatFaces = 0.53, kCurvedFaces = 0.61;        ///< spacings
-constexpr double kFlatShare = 0.9;                              ///< of the area
-constexpr double kLeastTurn = std::numbers::pi / 180.0;         ///< between faces of a curved surface
-constexpr double kLargestTurn = 40.0 * std::numbers::pi / 180;  ///< more is an edge between two flat ones
+constexpr double kFlatFaces = 0.53, kCurvedFaces = 0.61;   ///< spacings
+constexpr double kFlatShare = 0.9;                         ///< of the area
+constexpr double kLeastTurn = kRadiansPerDegree;           ///< between faces of a curved surface
+constexpr double kLargestTurn = 40.0 * kRadiansPerDegree;  ///< more is an edge between two flat ones
 
 bool is_part_of_curve(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const double turn = std::atan2(a.cross(b).norm(), a.dot(b));

@@ -7,7 +7,6 @@ namespace pelagos {
 
 namespace {
 
-constexpr double kMostParticles = 4e6;
 constexpr std::size_t kMostBlocks = 64;
 constexpr double kFarthest = 1e6;  // m; coordinates beyond it lose a millimetre in single precision offsets
 

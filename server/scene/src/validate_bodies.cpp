@@ -1,13 +1,13 @@
 #include <cmath>
 #include <map>
 
+#include "scales/angles.hpp"
 #include "scene.pb.h"
 #include "validate_scene.hpp"
 
 namespace pelagos {
 namespace {
 
-constexpr double kRadians = 0.017453292519943295;
 constexpr std::size_t kMostBodies = 64;
 
 /// Body (x forward, y port, z up) to world (ENU) out of a ship's angles: heading clockwise from north, bow up positive,
@@ -15,9 +15,9 @@ constexpr std::size_t kMostBodies = 64;
 Eigen::Quaterniond orientation_of(double heading_deg, double pitch_deg, double roll_deg) {
   using Eigen::AngleAxisd;
   using Eigen::Vector3d;
-  return Eigen::Quaterniond(AngleAxisd((90.0 - heading_deg) * kRadians, Vector3d::UnitZ()) *
-                            AngleAxisd(-pitch_deg * kRadians, Vector3d::UnitY()) *
-                            AngleAxisd(roll_deg * kRadians, Vector3d::UnitX()));
+  return Eigen::Quaterniond(AngleAxisd((90.0 - heading_deg) * kRadiansPerDegree, Vector3d::UnitZ()) *
+                            AngleAxisd(-pitch_deg * kRadiansPerDegree, Vector3d::UnitY()) *
+                            AngleAxisd(roll_deg * kRadiansPerDegree, Vector3d::UnitX()));
 }
 
 Eigen::Quaterniond read_orientation(const FieldReader& reader) {

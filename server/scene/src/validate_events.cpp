@@ -39,8 +39,7 @@ std::optional<Misfit> follow_wind(const Command& command, std::optional<WindSett
   const auto* set = std::get_if<SetWind>(&command);
   if (set == nullptr) return {};
   WindSettings merged;
-  auto misfit = merge_wind(set->wind, wind, merged);
-  if (misfit) misfit->field = misfit->field.empty() ? "wind" : "wind." + misfit->field;
+  auto misfit = merge_wind(*set, wind, merged);
   if (!misfit) wind = merged;
   return misfit;
 }

@@ -76,7 +76,7 @@ void read_film(const FieldReader& reader, double water_density, OilSettings& oil
   refuse_unused(reader, oil.model != OilModel::kParticles, "SLICK or BOTH",
                 {"water_temperature", "evaporation", "emulsification"});
   refuse_unused(reader, oil.model != OilModel::kSlick, "PARTICLES or BOTH", {"block", "most_particles"});
-  reader.read("most_particles", {1, 4e6}, oil.most_particles);
+  reader.read("most_particles", {1, kMostParticles}, oil.most_particles);
   reader.read("water_temperature", {-2.0, 50.0, "degrees C"}, oil.water_temperature);
   reader.read("evaporation", oil.evaporation);
   reader.read("emulsification", oil.emulsification);

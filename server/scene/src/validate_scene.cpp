@@ -8,6 +8,7 @@
 #include "messages/read_probe.hpp"
 #include "messages/read_waves.hpp"
 #include "messages/read_wind.hpp"
+#include "scales/scales.hpp"
 #include "scene.pb.h"
 #include "values/lattice.hpp"
 
@@ -41,7 +42,7 @@ Basis read_basis(const FieldReader& reader, const SceneSource& source, Scene& sc
   const bool gravity_given = reader.has("gravity");
   if (reader.read("gravity", {0.0, 100.0, "m/s^2"}, scene.gravity) || !gravity_given) basis.gravity = scene.gravity;
   if (basis.spacing && basis.gravity && *basis.gravity > 0.0) {
-    basis.default_step = 0.07 * std::sqrt(*basis.spacing / *basis.gravity);
+    basis.default_step = usual_step(*basis.spacing, *basis.gravity);
   }
   reader.read("support_radius", {1.4, 2.5, "spacings", "below, water explodes; above, rows of neighbours get too long"},
               scene.support_radius);

@@ -25,6 +25,9 @@ struct Basis {
   double support_radius = 2.0;         ///< spacings
 };
 
+/// Particles of all blocks together.
+inline constexpr double kMostParticles = 4e6;
+
 /// A Box field, both corners required, min below max; none if it is faulty.
 [[nodiscard]] std::optional<Box> read_box(const FieldReader& reader);
 

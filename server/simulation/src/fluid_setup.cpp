@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scales/scales.hpp"
 #include "simulation/deep_water.hpp"
 #include "values/lattice.hpp"
 
@@ -118,7 +119,7 @@ void apply_solver(const SolverSettings& solver, FluidParameters& parameters) {
 
 double largest_time_step(const Scene& scene) {
   if (scene.time_step.max_step > 0.0) return scene.time_step.max_step;
-  const double usual = 0.07 * std::sqrt(scene.particle_spacing / (scene.gravity > 0.0 ? scene.gravity : 9.81));
+  const double usual = usual_step(scene.particle_spacing, scale_gravity(scene.gravity));
   return usual * depth_measures(scheme_of(scene.solver.kind), depth_in_spacings(scene)).step_factor;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scales/angles.hpp"
 #include "simulation/oil_spill.hpp"
 #include "spill_surroundings.hpp"
 
@@ -13,9 +14,8 @@ namespace {
 
 constexpr double kFilmInterval = 0.5;       // s between the discs that a source feeds to the film
 constexpr double kExchangeInterval = 0.25;  // s between exchanges of particles and film
-constexpr double kGoldenPart = 0.6180339887498949;
-constexpr double kReach = 4.0;      // spacings from a source to the water that it flows into
-constexpr int kFullCell = 4;        // particles that cover a column of (2 d)^2 with one layer
+constexpr double kReach = 4.0;              // spacings from a source to the water that it flows into
+constexpr int kFullCell = 4;                // particles that cover a column of (2 d)^2 with one layer
 constexpr double kTopLayer = 1.2;   // spacings below the surface: particles of the topmost layer, rough as it is
 constexpr int kThinNeighbours = 5;  // in the 3 x 3 columns around, of which a layer has 36
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "scales/scales.hpp"
 #include "values/oil_limits.hpp"
 
 namespace pelagos {
@@ -27,7 +28,7 @@ SlickSettings film_settings(const Scene& scene) {
   // An oil of particles alone may be heavier than water; its film stays empty.
   settings.water_density = std::max(scene.water.rest_density, 1.001 * oil.properties.density);
   settings.water_temperature = oil.water_temperature;
-  settings.gravity = scene.gravity > 0.0 ? scene.gravity : 9.81;
+  settings.gravity = scale_gravity(scene.gravity);
   settings.evaporation = oil.evaporation;
   settings.emulsification = oil.emulsification;
   settings.patch = SlickPatch{scene.tank.min.head<2>(), scene.tank.max.head<2>()};
@@ -105,13 +106,19 @@ std::optional<Misfit> OilSpill::apply(const SetBoom& c) {
   return misfit_of(layer_.set_boom(c.name, boom));
 }
 
-std::optional<Misfit> OilSpill::apply(const RemoveBoom& c) { return misfit_of(layer_.remove_boom(c.name)); }
+std::optional<Misfit> OilSpill::apply(const RemoveBoom& c) {
+  layer_.remove_boom(c.name);
+  return std::nullopt;
+}
 
 std::optional<Misfit> OilSpill::apply(const SetSkimmer& c) {
   return misfit_of(layer_.set_skimmer(c.name, Skimmer{c.position, c.radius, c.rate}));
 }
 
-std::optional<Misfit> OilSpill::apply(const RemoveSkimmer& c) { return misfit_of(layer_.remove_skimmer(c.name)); }
+std::optional<Misfit> OilSpill::apply(const RemoveSkimmer& c) {
+  layer_.remove_skimmer(c.name);
+  return std::nullopt;
+}
 
 OilBudget OilSpill::budget() const {
   OilBudget budget;

@@ -9,6 +9,7 @@
 #include "fields/field_hash.hpp"
 #include "mirrored_faces.hpp"
 #include "physics/water_step.hpp"
+#include "scales/scales.hpp"
 #include "simulation/basins.hpp"
 #include "simulation/fluid_setup.hpp"
 #include "version/version.hpp"
@@ -234,19 +235,24 @@ std::vector<ProbeReading> World::read_probes() const {
   return readings;
 }
 
-WorldState World::state() const {
-  WorldState state;
-  state.step = step_;
-  state.clock = clock_;
-  state.water = fluid_;
+/// The parts of the state that inputs change between two steps. The water is none of them.
+void World::copy_what_inputs_change(WorldState& state) const {
   state.bodies = bodies_.state();
   if (spill_) state.oil = spill_->state();
-  if (wind_) state.wind = wind_->air();
+  state.wind = wind_ ? std::optional(wind_->air()) : std::nullopt;
   state.current = current_;
   state.sea = sea_;
   state.probes = probes_.settings();
-  state.foam = surface_.foam();
   state.effort = effort();
+}
+
+WorldState World::state() const {
+  WorldState state;
+  copy_what_inputs_change(state);
+  state.step = step_;
+  state.clock = clock_;
+  state.water = fluid_;
+  state.foam = surface_.foam();
   state.faults = faults_;
   state.largest_speed = largest_speed_;
   return state;

@@ -28,7 +28,7 @@ std::vector<CommandOutcome> World::take(const StepInputs& inputs) {
   std::vector<CommandOutcome> outcomes;
   for (const GivenPose& given : inputs.poses) bodies_.accept(given.pose, clock_.time());
   for (const GivenCommand& given : inputs.commands) outcomes.push_back(apply(given.command));
-  if (!inputs.empty()) keep_recovery_point();  // a state that comes back has what was done to it
+  if (recovery_ && !inputs.empty()) copy_what_inputs_change(*recovery_);  // a state that comes back has it too
   return outcomes;
 }
 
@@ -120,10 +120,7 @@ void World::advance_oil(double dt, double time, StepReport& report) {
 std::optional<Misfit> World::set_wind(const SetWind& command) {
   WindSettings wind;
   const auto present = wind_ ? std::optional(wind_->air().target()) : std::nullopt;
-  if (auto misfit = merge_wind(command.wind, present, wind)) {
-    misfit->field = misfit->field.empty() ? "wind" : "wind." + misfit->field;
-    return misfit;
-  }
+  if (auto misfit = merge_wind(command, present, wind)) return misfit;
   if (!wind_) {  // from calm: the same wind without speed, ramped up
     WindSettings calm = wind;
     calm.velocity.setZero();

@@ -56,7 +56,7 @@ float closing_speed(const ParticleSums& sums) {
 
 SurfaceExtractor::SurfaceExtractor(const SurfaceSettings& settings, const SurfaceScales& scales)
     : settings_(settings), scales_(scales) {
-  if (!(scales_.gravity > 0.0)) scales_.gravity = 9.81;
+  scales_.gravity = scale_gravity(scales_.gravity);
 }
 
 void SurfaceExtractor::detect(const SurfaceInput& input, TaskPool& pool) {

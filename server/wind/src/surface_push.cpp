@@ -23,7 +23,6 @@ namespace pelagos {
 
 namespace {
 
-constexpr double kStepFactor = 0.07;       ///< t_ref = 0.07 sqrt(d / g)
 constexpr float kNegligibleDecays = 7.0f;  ///< deeper than so many decay depths f is below 1e-3 and left out
 constexpr std::size_t kParticlesPerBlock = 2048;
 
@@ -46,7 +45,7 @@ SurfaceLaw surface_law(const WindSite& site, const WindSettings& wind) {
     // The layers at (i + 1/2) d share the stress: the sum of d exp(-(i + 1/2)) over all of them is d / (2 sinh(1/2)).
     return {wind.law, density_ratio * 2.0 * std::sinh(0.5) / site.spacing, site.spacing};
   }
-  const double reference_time = kStepFactor * std::sqrt(site.spacing / site.gravity);  // infinite without gravity
+  const double reference_time = usual_step(site.spacing, site.gravity);  // infinite without gravity
   return {wind.law, wind.beta * density_ratio / reference_time, Wind::kDecaySpacings * site.spacing};
 }
 

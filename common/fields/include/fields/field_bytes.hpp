@@ -7,30 +7,52 @@
 
 namespace pelagos {
 
-/// Writes fields as bytes: scalars in this machine's byte order, sizes and texts with their length before them.
-class FieldWriter {
+/// A sink of FieldWalk that hands values on as bytes: scalars in this machine's byte order, sizes and texts with their
+/// length before them. `Target` has add(data, bytes).
+template <class Target>
+class FieldEncoder {
  public:
   void enter(const char*) {}
   void enter(std::size_t) {}
   void leave() {}
   template <class S>
   void scalars(std::span<const S> values, std::size_t = 1) {
-    const auto* first = reinterpret_cast<const std::byte*>(values.data());
-    bytes_.insert(bytes_.end(), first, first + values.size_bytes());
+    target_.add(values.data(), values.size_bytes());
   }
   void size(std::size_t n) {
     const std::uint64_t number = n;
-    scalars(std::span(&number, 1));
+    target_.add(&number, sizeof number);
   }
   void text(const std::string& value) {
     size(value.size());
-    scalars(std::span<const char>(value.data(), value.size()));
+    target_.add(value.data(), value.size());
+  }
+  [[nodiscard]] Target& target() { return target_; }
+  [[nodiscard]] const Target& target() const { return target_; }
+
+ private:
+  Target target_;
+};
+
+/// Bytes that grow at their end.
+class ByteList {
+ public:
+  void add(const void* data, std::size_t bytes) {
+    const auto* first = static_cast<const std::byte*>(data);
+    bytes_.insert(bytes_.end(), first, first + bytes);
   }
   void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
   [[nodiscard]] std::vector<std::byte> take() { return std::move(bytes_); }
 
  private:
   std::vector<std::byte> bytes_;
+};
+
+/// Writes fields as bytes.
+class FieldWriter : public FieldEncoder<ByteList> {
+ public:
+  void reserve(std::size_t bytes) { target().reserve(bytes); }
+  [[nodiscard]] std::vector<std::byte> take() { return target().take(); }
 };
 
 /// Bytes that are no value of the type that is read.

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <typeinfo>
 
-#include "fields/fields.hpp"
+#include "fields/field_bytes.hpp"
 
 namespace pelagos {
 
@@ -23,28 +23,10 @@ class ByteHash {
   std::unique_ptr<State> state_;
 };
 
-/// A sink of FieldWalk that hashes values: the same as of the bytes that FieldWriter writes.
-class FieldHash {
+/// Hashes fields: the hash of the bytes that FieldWriter writes.
+class FieldHash : public FieldEncoder<ByteHash> {
  public:
-  void enter(const char*) {}
-  void enter(std::size_t) {}
-  void leave() {}
-  template <class S>
-  void scalars(std::span<const S> values, std::size_t = 1) {
-    hash_.add(values.data(), values.size_bytes());
-  }
-  void size(std::size_t n) {
-    const std::uint64_t number = n;
-    hash_.add(&number, sizeof number);
-  }
-  void text(const std::string& value) {
-    size(value.size());
-    hash_.add(value.data(), value.size());
-  }
-  [[nodiscard]] std::uint64_t value() const { return hash_.value(); }
-
- private:
-  ByteHash hash_;
+  [[nodiscard]] std::uint64_t value() const { return target().value(); }
 };
 
 template <class T>

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "scales/angles.hpp"
+
 namespace pelagos {
 
 /// How a current falls with depth (DNV-RP-C205, 2010, section 4.1.4: wind-driven currents fall linearly, tidal ones by
@@ -40,13 +42,11 @@ struct CurrentSettings {
 
 /// Degrees clockwise from north that a current sets TOWARDS; and back.
 [[nodiscard]] inline double current_to_deg(const Eigen::Vector3d& velocity) {
-  constexpr double kDegrees = 57.29577951308232;
-  const double degrees = std::atan2(velocity.x(), velocity.y()) * kDegrees;
+  const double degrees = std::atan2(velocity.x(), velocity.y()) * kDegreesPerRadian;
   return degrees < 0.0 ? degrees + 360.0 : degrees;
 }
 [[nodiscard]] inline Eigen::Vector3d current_velocity(double speed, double to_deg) {
-  constexpr double kRadians = 0.017453292519943295;
-  return {speed * std::sin(to_deg * kRadians), speed * std::cos(to_deg * kRadians), 0.0};
+  return {speed * std::sin(to_deg * kRadiansPerDegree), speed * std::cos(to_deg * kRadiansPerDegree), 0.0};
 }
 
 /// A current over the whole sea, ramps included: a value to be copied and asked anywhere. Times are simulated seconds.

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "scales/scales.hpp"
 #include "shapes/mesh_name.hpp"
 #include "values/command.hpp"
 #include "values/current.hpp"
@@ -112,10 +113,10 @@ struct TimeStepSettings {
 };
 
 struct FluidSettings {
-  double rest_density = 1000.0;       ///< kg/m^3
-  double kinematic_viscosity = -1.0;  ///< m^2/s; negative means default_viscosity
-  std::vector<Box> blocks;            ///< full of particles, see lattice_counts
-  int settle_steps = 0;               ///< position-only relaxation steps before time zero
+  double rest_density = kUsualWaterDensity;  ///< kg/m^3
+  double kinematic_viscosity = -1.0;         ///< m^2/s; negative means default_viscosity
+  std::vector<Box> blocks;                   ///< full of particles, see lattice_counts
+  int settle_steps = 0;                      ///< position-only relaxation steps before time zero
 };
 
 /// What a scene's oil is made of.
@@ -188,9 +189,6 @@ struct BodySettings {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world
 };
 
-/// m/s^2, for what needs a scale where the scene has no gravity.
-inline constexpr double kStandardGravity = 9.81;
-
 /// The sea outside the simulated patch: visual only. Heights by Beaufort number, direction waves run TOWARDS.
 struct FarSeaSettings {
   int beaufort = 0;
@@ -215,9 +213,9 @@ struct SurfaceSettings {
 struct Scene {
   std::string name;
   std::uint64_t seed = 1;
-  double particle_spacing = 0.05;  ///< d, metres
-  double support_radius = 2.0;     ///< of the kernel, in spacings, 1.4 to 2.5
-  double gravity = 9.81;           ///< m/s^2, along -z; 0 allowed
+  double particle_spacing = 0.05;     ///< d, metres
+  double support_radius = 2.0;        ///< of the kernel, in spacings, 1.4 to 2.5
+  double gravity = kStandardGravity;  ///< m/s^2, along -z; 0 allowed
   Box tank;
   TankEdges tank_edges = kWalledTank;
   bool tank_walls_visible = false;

@@ -14,6 +14,10 @@ enum class OilAppearance : std::uint8_t {
   kContinuousTrue,     ///< code 5, above 200 um: the oil's own colour
 };
 
+/// Radius of the disc that stands for an element, by that of the bell its oil lies under: a lone element's oil spread
+/// evenly over the disc has Fay's area.
+inline constexpr double kDiscPerSize = 0.6312;
+
 /// One element for drawing: a disc on the water. Discs of a slick overlap; `thickness` is that of the film there, all
 /// elements together, so a picture takes the largest or a mean of the overlapping discs, not their sum.
 struct SlickDisc {

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "scales/angles.hpp"
+
 namespace pelagos {
 
 /// How the wind pushes the water; server/wind has the formulas.
@@ -56,13 +58,11 @@ struct WindSettings {
 
 /// Degrees clockwise from north that the wind blows FROM, and the horizontal speed; and back.
 [[nodiscard]] inline double wind_from_deg(const Eigen::Vector3d& velocity) {
-  constexpr double kDegrees = 57.29577951308232;
-  const double degrees = std::atan2(-velocity.x(), -velocity.y()) * kDegrees;
+  const double degrees = std::atan2(-velocity.x(), -velocity.y()) * kDegreesPerRadian;
   return degrees < 0.0 ? degrees + 360.0 : degrees;
 }
 [[nodiscard]] inline Eigen::Vector3d wind_velocity(double speed, double from_deg) {
-  constexpr double kRadians = 0.017453292519943295;
-  return {-speed * std::sin(from_deg * kRadians), -speed * std::cos(from_deg * kRadians), 0.0};
+  return {-speed * std::sin(from_deg * kRadiansPerDegree), -speed * std::cos(from_deg * kRadiansPerDegree), 0.0};
 }
 
 }  // namespace pelagos

@@ -7,6 +7,8 @@
 
 namespace pelagos {
 
+struct SetWind;
+
 /// A wind of which some is left out: that is taken from the wind that was last set when the change takes effect. The
 /// mean is given as `velocity`, or by `speed` and `from_deg`.
 struct WindChange {
@@ -28,6 +30,9 @@ struct WindChange {
 /// @param wind     out: only where nothing is wrong
 /// @return what is wrong; its field is one of the message Wind (proto/wind.proto), or "clear_pulse"
 [[nodiscard]] std::optional<Misfit> merge_wind(const WindChange& change, const std::optional<WindSettings>& present,
+                                               WindSettings& wind);
+/// The same for a command; the field of what is wrong is one of the message SetWind: "wind.speed".
+[[nodiscard]] std::optional<Misfit> merge_wind(const SetWind& command, const std::optional<WindSettings>& present,
                                                WindSettings& wind);
 
 }  // namespace pelagos

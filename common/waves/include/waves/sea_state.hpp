@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scales/scales.hpp"
 #include "waves/wave_components.hpp"
 
 namespace pelagos {
@@ -27,7 +28,7 @@ struct SeaState {
   double wave_to_deg = 0.0;  ///< main direction, the way the crests move, clockwise from north
   std::uint32_t components = 24;
   std::uint64_t seed = 1;
-  double gravity = 9.81;  ///< m/s^2, > 0
+  double gravity = kStandardGravity;  ///< m/s^2, > 0
 };
 
 /// Components of a fully developed deep-water sea.

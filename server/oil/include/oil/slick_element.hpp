@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "values/oil_mass.hpp"
+#include "values/slick.hpp"
 
 namespace pelagos {
 
@@ -36,8 +37,7 @@ struct SlickElement {
   }
 };
 
-/// Radius of the disc that stands for an element: a lone element's oil spread evenly over it has Fay's area.
-inline constexpr double kDiscPerSize = 0.6312;
+/// Radius of the disc that stands for an element.
 [[nodiscard]] inline double disc_radius(const SlickElement& element) { return kDiscPerSize * element.size; }
 
 /// Volume of oil and emulsion water, m^3.

@@ -91,12 +91,13 @@ class SlickLayer {
   [[nodiscard]] std::optional<std::string> drop_submerged(double mass);
 
   /// Places a boom or skimmer, or replaces the one of that name (a boom's leaking oil surfaces first; a skimmer keeps
-  /// what it has recovered). Refused if find_fault(...) says so. A boom laid through oil parts it.
+  /// what it has recovered). Refused if find_fault(...) says so. A boom laid through oil parts it. How many there may
+  /// be is the caller's to check (find_no_room of values/given_names.hpp).
   [[nodiscard]] std::optional<std::string> set_boom(const std::string& name, const Boom& boom);
   [[nodiscard]] std::optional<std::string> set_skimmer(const std::string& name, const Skimmer& skimmer);
-  /// Refused if there is none of that name.
-  [[nodiscard]] std::optional<std::string> remove_boom(const std::string& name);
-  [[nodiscard]] std::optional<std::string> remove_skimmer(const std::string& name);
+  /// Nothing happens where there is none of that name.
+  void remove_boom(const std::string& name);
+  void remove_skimmer(const std::string& name);
 
   /// One step. dt: s, finite, > 0; else nothing happens. Any size; drift is first order, so steps of a wave period's
   /// tenth or less follow waves.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "scales/scales.hpp"
 #include "values/oil.hpp"
 
 namespace pelagos {
@@ -33,10 +34,10 @@ struct ParticleExchange {
 
 struct SlickSettings {
   OilProperties oil = *find_oil(kDefaultOil);
-  double water_density = 1026.0;     ///< kg/m^3, above the oil's density (sea water of 35 psu at 15 degrees C)
-  double water_viscosity = 1.15e-6;  ///< m^2/s, > 0 (the same)
-  double water_temperature = 15.0;   ///< degrees C, -2 to 50
-  double gravity = 9.81;             ///< m/s^2, > 0
+  double water_density = 1026.0;      ///< kg/m^3, above the oil's density (sea water of 35 psu at 15 degrees C)
+  double water_viscosity = 1.15e-6;   ///< m^2/s, > 0 (the same)
+  double water_temperature = 15.0;    ///< degrees C, -2 to 50
+  double gravity = kStandardGravity;  ///< m/s^2, > 0
 
   /// Share of the wind's velocity that moves the oil besides the water, 0 to 0.1: 3 % over water that does not move
   /// with the wind's waves (ITOPF: oil drifts with the current and 3 % of the wind), less where the simulated waves

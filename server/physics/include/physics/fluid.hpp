@@ -19,6 +19,7 @@
 #include "physics/solids.hpp"
 #include "physics/step_report.hpp"
 #include "physics/task_pool.hpp"
+#include "scales/scales.hpp"
 
 namespace pelagos {
 
@@ -33,10 +34,10 @@ enum class Scheme {
 struct FluidParameters {
   double spacing = 0.05;                                             ///< d, m
   double support_radius = 0.1;                                       ///< m, 2 d
-  double rest_density = 1000.0;                                      ///< kg/m^3
+  double rest_density = kUsualWaterDensity;                          ///< kg/m^3
   double viscosity = 0.01;                                           ///< m^2/s, of the water
   std::optional<PhaseParameters> oil;                                ///< none: no particle is oil
-  double gravity = 9.81;                                             ///< m/s^2, along -z
+  double gravity = kStandardGravity;                                 ///< m/s^2, along -z
   Region tank;                                                       ///< m, local
   std::array<Edge, 3> edges{Edge::kWall, Edge::kWall, Edge::kWall};  ///< how the faces across x, y, z close the tank
   Scheme scheme = Scheme::kHybrid;

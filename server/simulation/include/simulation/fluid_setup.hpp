@@ -17,7 +17,7 @@ namespace pelagos {
 void apply_solver(const SolverSettings& solver, FluidParameters& parameters);
 
 /// Largest time step: the scene's, or 0.07 sqrt(d / g), less in deep water (see deep_water.hpp). Without gravity
-/// 0.07 sqrt(d / 9.81).
+/// that of standard gravity.
 [[nodiscard]] double largest_time_step(const Scene& scene);
 
 /// Particles at the start.

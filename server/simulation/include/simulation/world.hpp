@@ -157,6 +157,7 @@ class World {
   [[nodiscard]] std::optional<Misfit> apply_to_oil(const OilCommand& command);
   void advance_oil(double dt, double time, StepReport& report);
   void keep_recovery_point();
+  void copy_what_inputs_change(WorldState& state) const;
   void fill(Snapshot& snapshot) const;
   StepFault recover();
 

@@ -9,6 +9,7 @@
 #include "physics/neighbors.hpp"
 #include "physics/particles.hpp"
 #include "physics/task_pool.hpp"
+#include "scales/scales.hpp"
 #include "surface/anisotropy.hpp"
 #include "values/scene.hpp"
 
@@ -27,9 +28,9 @@ struct SurfaceInput {
 
 /// Scales that do not change during a run.
 struct SurfaceScales {
-  double spacing = 0.05;        ///< d, m, > 0
-  double support_radius = 0.1;  ///< m, > 0
-  double gravity = 9.81;        ///< m/s^2; sets the speeds at which foam arises; 9.81 is used where it is 0
+  double spacing = 0.05;              ///< d, m, > 0
+  double support_radius = 0.1;        ///< m, > 0
+  double gravity = kStandardGravity;  ///< m/s^2; sets the speeds at which foam arises; the standard one where it is 0
 };
 
 /// Foam that a particle carries on.

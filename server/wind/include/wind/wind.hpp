@@ -7,6 +7,7 @@
 #include "physics/particles.hpp"
 #include "physics/surface_grid.hpp"
 #include "physics/task_pool.hpp"
+#include "scales/scales.hpp"
 #include "wind/air.hpp"
 
 namespace pelagos {
@@ -14,9 +15,9 @@ namespace pelagos {
 /// What the laws need to know of the water that the wind blows over.
 struct WindSite {
   AirSite air;
-  double spacing = 0.05;         ///< particle spacing d, m, > 0
-  double gravity = 9.81;         ///< m/s^2, >= 0; without gravity the law gust has no time scale and no push
-  double rest_density = 1000.0;  ///< kg/m^3, > 0
+  double spacing = 0.05;              ///< particle spacing d, m, > 0
+  double gravity = kStandardGravity;  ///< m/s^2, >= 0; without gravity the law gust has no time scale and no push
+  double rest_density = kUsualWaterDensity;  ///< kg/m^3, > 0
 };
 
 /// The wind and its push on the water, by one of three laws.
