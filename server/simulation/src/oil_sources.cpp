@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "scales/angles.hpp"
+#include "simulation/oil_particles.hpp"
 #include "simulation/oil_spill.hpp"
 #include "spill_surroundings.hpp"
 
@@ -18,6 +18,17 @@ constexpr double kReach = 4.0;              // spacings from a source to the wat
 constexpr int kFullCell = 4;                // particles that cover a column of (2 d)^2 with one layer
 constexpr double kTopLayer = 1.2;   // spacings below the surface: particles of the topmost layer, rough as it is
 constexpr int kThinNeighbours = 5;  // in the 3 x 3 columns around, of which a layer has 36
+
+ParticlePhases phases_of(const FluidParticles& p) {
+  const std::size_t count = std::min(p.count, p.phase.size());  // none where the scene has no phases
+  return {std::span(p.position).first(count), std::span(p.phase).first(count)};
+}
+
+/// All that is within reach of the places between two points, rounding included; local.
+Eigen::AlignedBox3f box_around(const Eigen::Vector3d& one, const Eigen::Vector3d& other, double reach) {
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(1.01 * reach);
+  return {(one.cwiseMin(other) - margin).cast<float>(), (one.cwiseMax(other) + margin).cast<float>()};
+}
 
 }  // namespace
 
@@ -37,14 +48,17 @@ void OilSpill::advance(double dt, const SpillSea& sea, FluidState& fluid) {
 void OilSpill::run_sources(double dt, const SpillSea& sea, FluidState& fluid) {
   since_film_ += dt;
   const bool film_due = since_film_ >= kFilmInterval;
+  for (auto& [name, source] : sources_) {
+    source.pending += source.settings.rate / 3600.0 * std::min(dt, source.left);
+    source.left -= dt;
+  }
+  const std::vector<WaterNearby> water = collect_water(phases_of(fluid.particles), source_boxes(sea));
+  std::size_t index = 0;
   for (auto at = sources_.begin(); at != sources_.end();) {
     Source& source = at->second;
-    const double flowing = std::min(dt, source.left);
-    source.left -= dt;
-    source.pending += source.settings.rate / 3600.0 * flowing;
     const bool over = source.left <= 0.0;
     SourceStatus& status = source.status;
-    status.wait = bring_out(source, film_due || over, over, sea, fluid);
+    status.wait = bring_out(source, film_due || over, over, sea, water[index++], fluid);
     status.waiting = status.wait == SourceWait::kNone ? 0.0 : status.waiting + dt;
     status.pending = source.pending * oil_density_;
     if (over && to_milligrams(status.pending) > 0) held_back_ += status.pending;
@@ -53,9 +67,24 @@ void OilSpill::run_sources(double dt, const SpillSea& sea, FluidState& fluid) {
   if (film_due) since_film_ = 0.0;
 }
 
-SourceWait OilSpill::bring_out(Source& source, bool film_due, bool over, const SpillSea& sea, FluidState& fluid) {
+/// Where each source's oil comes out; empty for sources that have no whole particle to bring out.
+std::vector<Eigen::AlignedBox3f> OilSpill::source_boxes(const SpillSea& sea) const {
+  std::vector<Eigen::AlignedBox3f> boxes;
+  for (const auto& [name, source] : sources_) {
+    Eigen::AlignedBox3f& box = boxes.emplace_back();
+    if (model_ == OilModel::kSlick || source.pending < particle_volume()) continue;
+    const auto local = [&, &settings = source.settings](const Eigen::Vector3d& end) {
+      return frame_.to_local(world_place(settings, end, sea));
+    };
+    box = box_around(local(source.settings.from), local(source.settings.to), kReach * spacing_);
+  }
+  return boxes;
+}
+
+SourceWait OilSpill::bring_out(Source& source, bool film_due, bool over, const SpillSea& sea, const WaterNearby& water,
+                               FluidState& fluid) {
   if (model_ != OilModel::kSlick) {
-    const SourceWait wait = make_particles(source, sea, fluid);
+    const SourceWait wait = make_particles(source, sea, water, fluid);
     const bool to_film = over || wait == SourceWait::kFull || wait == SourceWait::kNoWater;  // all of it oil by now
     if (model_ != OilModel::kBoth || !to_film) return wait;
   }
@@ -64,10 +93,14 @@ SourceWait OilSpill::bring_out(Source& source, bool film_due, bool over, const S
 
 Eigen::Vector3d OilSpill::next_place(Source& source, const SpillSea& sea) const {
   const double part = std::fmod(kGoldenPart * static_cast<double>(source.made++), 1.0);
-  const Eigen::Vector3d place = source.settings.from + part * (source.settings.to - source.settings.from);
-  if (source.settings.body == 0) return place;
+  return world_place(source.settings, source.settings.from + part * (source.settings.to - source.settings.from), sea);
+}
+
+Eigen::Vector3d OilSpill::world_place(const ReleaseOil& settings, const Eigen::Vector3d& place,
+                                      const SpillSea& sea) const {
+  if (settings.body == 0) return place;
   for (const BodyState& body : sea.bodies.states())
-    if (body.body == source.settings.body) return body.position + body.orientation * place;
+    if (body.body == settings.body) return body.position + body.orientation * place;
   return place;
 }
 
@@ -86,32 +119,25 @@ bool OilSpill::dry(const Eigen::Vector3d& world, const SpillSea& sea) const {
   return !sample_at(sea.surface, frame_.to_local(world).head<2>()) && !sea.bodies.covers(world, 0.0);
 }
 
-SourceWait OilSpill::make_particles(Source& source, const SpillSea& sea, FluidState& fluid) {
-  const double volume = spacing_ * spacing_ * spacing_;
+SourceWait OilSpill::make_particles(Source& source, const SpillSea& sea, const WaterNearby& water, FluidState& fluid) {
+  const double volume = particle_volume();
   while (source.pending >= volume) {
     if (particles_ >= most_particles_) return SourceWait::kFull;
     const Eigen::Vector3d place = next_place(source, sea);
-    if (!turn_to_oil(fluid, place)) return frame_.covers(place.head<2>()) ? SourceWait::kNoWater : SourceWait::kOutside;
+    if (!turn_to_oil(fluid, water, place))
+      return frame_.covers(place.head<2>()) ? SourceWait::kNoWater : SourceWait::kOutside;
     source.pending -= volume;
     static_cast<void>(layer_.release_submerged(particle_mass()));
   }
   return SourceWait::kNone;
 }
 
-bool OilSpill::turn_to_oil(FluidState& fluid, const Eigen::Vector3d& world) {
-  FluidParticles& p = fluid.particles;
-  const Eigen::Vector3f place = frame_.to_local(world).cast<float>();
-  auto nearest = static_cast<float>(std::pow(kReach * spacing_, 2));
-  std::size_t found = p.count;
-  for (std::size_t i = 0; i < p.count; ++i) {
-    if (p.phase[i] != kWaterPhase) continue;
-    const float distance = (Eigen::Vector3f(p.position[i].x, p.position[i].y, p.position[i].z) - place).squaredNorm();
-    if (!(distance < nearest)) continue;
-    nearest = distance;
-    found = i;
-  }
-  if (found == p.count) return false;
-  p.phase[found] = kOilPhase;
+/// @param water  in a box_around that holds the place
+bool OilSpill::turn_to_oil(FluidState& fluid, const WaterNearby& water, const Eigen::Vector3d& world) {
+  const auto found = nearest_water(phases_of(fluid.particles), water, frame_.to_local(world).cast<float>(),
+                                   static_cast<float>(kReach * spacing_));
+  if (!found) return false;
+  fluid.particles.phase[*found] = kOilPhase;
   ++particles_;
   ++displaced_;
   return true;
@@ -119,26 +145,10 @@ bool OilSpill::turn_to_oil(FluidState& fluid, const Eigen::Vector3d& world) {
 
 void OilSpill::thin_to_film(const SurfaceGrid& surface, FluidState& fluid) {
   FluidParticles& p = fluid.particles;
-  const ColumnGrid& grid = surface.grid;
-  std::vector<int> oil(grid.cell_count());
-  const auto column = [&](const Float4& x) {
-    return std::pair{std::clamp(static_cast<int>((x.x - grid.origin_x) / grid.cell), 0, grid.columns - 1),
-                     std::clamp(static_cast<int>((x.y - grid.origin_y) / grid.cell), 0, grid.rows - 1)};
-  };
-  const auto usable = [&](std::size_t i) {
-    return p.phase[i] == kOilPhase && std::isfinite(p.position[i].x + p.position[i].y + p.position[i].z);
-  };
-  for (std::size_t i = 0; i < p.count; ++i)
-    if (usable(i)) ++oil[grid.index(column(p.position[i]).first, column(p.position[i]).second)];
+  const std::vector<int> oil = count_oil(phases_of(p), surface.grid);
   const double radius = spacing_ / std::sqrt(M_PI);
-  for (std::size_t i = 0; i < p.count; ++i) {
-    if (!usable(i)) continue;
+  for (const std::size_t i : find_thin_oil(phases_of(p), surface.grid, oil, kFullCell / 2, kThinNeighbours)) {
     const Float4& x = p.position[i];
-    const auto [a, b] = column(x);
-    int around = 0;
-    for (int v = std::max(b - 1, 0); v <= std::min(b + 1, grid.rows - 1); ++v)
-      for (int u = std::max(a - 1, 0); u <= std::min(a + 1, grid.columns - 1); ++u) around += oil[grid.index(u, v)];
-    if (oil[grid.index(a, b)] >= kFullCell / 2 || around >= kThinNeighbours) continue;
     const auto water = sample_at(surface, {static_cast<double>(x.x), static_cast<double>(x.y)});
     if (!water || static_cast<double>(x.z) < water->height - kTopLayer * spacing_) continue;  // on its way up
     const Eigen::Vector2d place = frame_.to_world(Eigen::Vector2d(Eigen::Vector2f(x.x, x.y).cast<double>()));
@@ -150,16 +160,24 @@ void OilSpill::thin_to_film(const SurfaceGrid& surface, FluidState& fluid) {
 }
 
 void OilSpill::pile_to_particles(const SurfaceGrid& surface, FluidState& fluid) {
-  for (const ReturnedOil& oil : layer_.give_back()) {
+  const std::vector<ReturnedOil> returned = layer_.give_back();
+  std::vector<Eigen::Vector3d> places;  // m, world
+  std::vector<Eigen::AlignedBox3f> boxes;
+  for (const ReturnedOil& oil : returned) {
     const auto water = sample_at(surface, frame_.to_local(oil.position));
     const double height = frame_.world_height(water ? water->height : fallback_level_) - 0.5 * spacing_;
-    std::size_t left = oil.particles;
-    while (left > 0 && particles_ < most_particles_ && turn_to_oil(fluid, {oil.position.x(), oil.position.y(), height}))
-      --left;
+    places.emplace_back(oil.position.x(), oil.position.y(), height);
+    const Eigen::Vector3d local = frame_.to_local(places.back());
+    boxes.push_back(box_around(local, local, kReach * spacing_));
+  }
+  const std::vector<WaterNearby> water = collect_water(phases_of(fluid.particles), boxes);
+  for (std::size_t k = 0; k < returned.size(); ++k) {
+    std::size_t left = returned[k].particles;
+    while (left > 0 && particles_ < most_particles_ && turn_to_oil(fluid, water[k], places[k])) --left;
     if (left == 0) continue;
     // What finds no room or no water goes back to the film, in one piece however much it is.
     const auto pieces = static_cast<double>(left);
-    static_cast<void>(layer_.take(pieces * particle_mass(), oil.position, spacing_ * std::sqrt(pieces)));
+    static_cast<void>(layer_.take(pieces * particle_mass(), returned[k].position, spacing_ * std::sqrt(pieces)));
   }
 }
 

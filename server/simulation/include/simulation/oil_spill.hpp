@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -115,16 +117,23 @@ class OilSpill {
 
  private:
   using Source = OilSource;
+  using WaterNearby = std::vector<std::uint32_t>;  ///< particles of water near a source
   void run_sources(double dt, const SpillSea& sea, FluidState& fluid);
   // Each returns what keeps the rest of the oil back, if anything does.
-  [[nodiscard]] SourceWait bring_out(Source& source, bool film_due, bool over, const SpillSea& sea, FluidState& fluid);
+  [[nodiscard]] SourceWait bring_out(Source& source, bool film_due, bool over, const SpillSea& sea,
+                                     const WaterNearby& water, FluidState& fluid);
   [[nodiscard]] SourceWait feed_film(Source& source, const SpillSea& sea);
-  [[nodiscard]] SourceWait make_particles(Source& source, const SpillSea& sea, FluidState& fluid);
+  [[nodiscard]] SourceWait make_particles(Source& source, const SpillSea& sea, const WaterNearby& water,
+                                          FluidState& fluid);
   [[nodiscard]] bool dry(const Eigen::Vector3d& world, const SpillSea& sea) const;
   void thin_to_film(const SurfaceGrid& surface, FluidState& fluid);
   void pile_to_particles(const SurfaceGrid& surface, FluidState& fluid);
-  [[nodiscard]] bool turn_to_oil(FluidState& fluid, const Eigen::Vector3d& world);
+  [[nodiscard]] bool turn_to_oil(FluidState& fluid, const WaterNearby& water, const Eigen::Vector3d& world);
+  [[nodiscard]] std::vector<Eigen::AlignedBox3f> source_boxes(const SpillSea& sea) const;
   [[nodiscard]] Eigen::Vector3d next_place(Source& source, const SpillSea& sea) const;
+  [[nodiscard]] Eigen::Vector3d world_place(const ReleaseOil& settings, const Eigen::Vector3d& place,
+                                            const SpillSea& sea) const;
+  [[nodiscard]] double particle_volume() const { return spacing_ * spacing_ * spacing_; }  ///< m^3
   [[nodiscard]] double particle_mass() const;  ///< kg, a whole number of milligrams
 
   OilModel model_;
