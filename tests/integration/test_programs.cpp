@@ -61,7 +61,7 @@ class Server : public testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     server_ = std::make_unique<RunningProgram>(arguments);
     const auto end = std::chrono::steady_clock::now() + kPatience;
-    while (ask({"status"}) != 0) {
+    while (ask({"status"}) != 0 || answer_.find("starting") != std::string::npos) {
       ASSERT_FALSE(server_->wait(milliseconds(0))) << server_->errors();
       ASSERT_LT(std::chrono::steady_clock::now(), end) << server_->errors();
     }
@@ -87,6 +87,31 @@ TEST_F(Server, EndsWithinASecondOfSigterm) {
   server_->signal(SIGTERM);
   EXPECT_EQ(server_->wait(kPatience), 0) << server_->errors();
   EXPECT_LT(std::chrono::steady_clock::now() - begin, seconds(1));
+}
+
+TEST_F(Server, AnswersCommandsAtOnceWhileItSettlesItsWater) {
+  const TemporaryFolder folder;
+  const std::string scene_file = (folder.path() / "slow_start.scene").string();
+  std::ofstream(scene_file) << "particle_spacing: 0.1 tank { min { } max { x: 3 y: 3 z: 2 } }\n"
+                               "water { block { min { } max { x: 3 y: 3 z: 1 } } settle_steps: 1500 }\n";
+  server_ = std::make_unique<RunningProgram>(server_arguments(scene_file, endpoint_));
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (ask({"pause"}) != 0) ASSERT_LT(std::chrono::steady_clock::now(), end) << server_->errors();
+  EXPECT_EQ(answer_,
+            "scheduled as 1: the server still places and settles its water; takes effect before the first step\n");
+  ASSERT_EQ(ask({"status", "--json"}), 0);
+  EXPECT_EQ(nlohmann::json::parse(answer_).at("starting"), true);
+  EXPECT_EQ(ask({"probe", "1", "9", "9"}), 1) << "it lies outside the tank";
+  ASSERT_EQ(ask({"schedule"}), 0);
+  EXPECT_THAT(answer_, HasSubstr("pause"));
+  nlohmann::json status;
+  do {
+    ASSERT_EQ(ask({"status", "--json"}), 0);
+    status = nlohmann::json::parse(answer_);
+  } while (status.at("paused") == false && std::chrono::steady_clock::now() < end);
+  EXPECT_EQ(status.at("starting"), false);
+  EXPECT_EQ(status.at("paused"), true);
+  EXPECT_EQ(status.at("step"), 0);
 }
 
 TEST_F(Server, EndsOnSigintToo) {

@@ -21,6 +21,7 @@ std::string bridge_name(std::uint32_t sender) { return "bridge " + std::to_strin
 InputGate::InputGate(const Scene& scene, std::optional<Replay> replay)
     : driven_(driven_bodies(scene)),
       origin_(scene.origin),
+      site_(command_site(scene)),
       commands_(replay ? std::vector<SceneEvent>{} : scene.events),
       replay_(std::move(replay)) {
   limits_.spacing = scene.particle_spacing;
@@ -38,7 +39,21 @@ std::optional<std::string> InputGate::refuse_in_replay(const Command& command) c
 
 std::optional<std::string> InputGate::submit(const Command& command, const std::string& source, TakeAnswer answer) {
   if (auto refusal = refuse_in_replay(command)) return refusal;
+  if (!started_.load()) return submit_before_start(command, source, std::move(answer));
   return commands_.submit(command, source, std::move(answer));
+}
+
+std::optional<std::string> InputGate::submit_before_start(const Command& command, const std::string& source,
+                                                          TakeAnswer answer) {
+  CommandAnswer news{0, find_misfit(command, site_), 0};
+  if (!news.refusal) {
+    const CommandQueue::Scheduled waiting = commands_.schedule(command, 0.0, source);
+    if (waiting.past) return commands_.submit(command, source, std::move(answer));  // it has just started
+    if (waiting.id == 0) return waiting.refusal;
+    news.scheduled_id = waiting.id;
+  }
+  if (answer) answer(news);
+  return std::nullopt;
 }
 
 ScheduleAnswer InputGate::schedule(const Command& command, double at, const std::string& source) {
@@ -51,6 +66,7 @@ ScheduleAnswer InputGate::schedule(const Command& command, double at, const std:
 }
 
 void InputGate::collect(std::uint64_t step, double time, Batch& batch) {
+  started_ = true;
   batch.inputs.poses.clear();
   batch.inputs.commands.clear();
   batch.answers.clear();

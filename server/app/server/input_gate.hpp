@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "simulation/world.hpp"
 #include "transport/pose_receiver.hpp"
 #include "transport/probe_receiver.hpp"
+#include "values/command_site.hpp"
 #include "values/scene.hpp"
 #include "values/step_inputs.hpp"
 
@@ -27,7 +29,8 @@ class InputGate {
   /// Opens the topics that bridges write. Throws DdsError.
   void open(const std::shared_ptr<DdsParticipant>& participant, const DdsLog& log);
 
-  // From any thread: what stations ask.
+  // From any thread: what stations ask. Before the first boundary a command without a time is answered at once: refused
+  // where it does not fit the scene, else scheduled for that boundary.
   std::optional<std::string> submit(const Command& command, const std::string& source, TakeAnswer answer = {});
   ScheduleAnswer schedule(const Command& command, double at, const std::string& source);
   bool cancel(std::uint64_t id, const std::string& source) { return commands_.cancel(id, source); }
@@ -60,11 +63,14 @@ class InputGate {
 
  private:
   [[nodiscard]] std::optional<std::string> refuse_in_replay(const Command& command) const;
+  std::optional<std::string> submit_before_start(const Command& command, const std::string& source, TakeAnswer answer);
   void take_requests(Batch& batch);
   void take_poses(Batch& batch);
 
   std::vector<std::uint32_t> driven_;
   GeodeticOrigin origin_;
+  CommandSite site_;
+  std::atomic<bool> started_ = false;  ///< inputs have been collected
   PoseLimits limits_;
   CommandQueue commands_;
   std::optional<Replay> replay_;

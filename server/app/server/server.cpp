@@ -25,6 +25,7 @@ std::optional<Replay> replay_of(const ServerOptions& options) {
 Server::Server(const ServerOptions& options, const std::atomic<bool>& stop)
     : options_(options), stop_(stop), gate_(options.scene, replay_of(options)) {
   status_.scene = options_.scene.name;
+  status_.starting = true;
   board_.put_up(status_, std::nullopt);
   open_links();
   open_world();

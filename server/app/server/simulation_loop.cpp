@@ -42,6 +42,7 @@ SimulationLoop::SimulationLoop(const LoopParts& parts, const LoopOptions& option
 ServerEnd SimulationLoop::run(const std::atomic<bool>& stop) {
   World& world = parts_.world;
   start_ns_ = monotonic_ns();
+  status_.starting = false;
   next_log_ns_ = start_ns_ + kLogIntervalNs;
   window_ = StatusWindow(start_ns_);
   parts_.announcer.announce("start", "server", "scene " + world.scene().name + " started");

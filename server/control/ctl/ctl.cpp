@@ -26,7 +26,13 @@ int print_error(const proto::v1::Error& error, bool json, std::ostream& out, std
   return 1;
 }
 
-int print_response(const Response& response, bool json, std::ostream& out, std::ostream& err) {
+/// @param timed  whether the command came with a time
+std::string scheduled_text(std::uint64_t id, bool timed) {
+  const std::string text = "scheduled as " + std::to_string(id);
+  return timed ? text : text + ": the server still places and settles its water; takes effect before the first step";
+}
+
+int print_response(const Response& response, bool timed, bool json, std::ostream& out, std::ostream& err) {
   if (response.has_error()) return print_error(response.error(), json, out, err);
   if (response.has_status()) {
     if (json) {
@@ -50,7 +56,7 @@ int print_response(const Response& response, bool json, std::ostream& out, std::
     if (id > 0) done["scheduled_id"] = id;
     out << done.dump() << "\n";
   } else {
-    out << (id > 0 ? "scheduled as " + std::to_string(id) : "done") << "\n";
+    out << (id > 0 ? scheduled_text(id, timed) : "done") << "\n";
   }
   return 0;
 }
@@ -107,7 +113,7 @@ int run_command(const CommandLine& line, std::ostream& out, std::ostream& err) {
   }
   ControlClient client(*server.endpoint, std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1e3)));
   if (line.events->parsed()) return follow_events(client, options, out, err);
-  return print_response(client.ask(request.request), options.json, out, err);
+  return print_response(client.ask(request.request), request.request.command().has_at(), options.json, out, err);
 }
 
 }  // namespace

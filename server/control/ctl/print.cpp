@@ -206,7 +206,11 @@ Json to_json(const Message& message) {
 std::string describe(const proto::v1::Status& s) {
   using ull = unsigned long long;
   std::string text;
-  text += "scene      " + s.scene() + (s.paused() ? ", paused" : ", running") + "\n";
+  text += "scene      " + s.scene() +
+          (s.starting() ? ", starting: the water is placed and settled"
+           : s.paused() ? ", paused"
+                        : ", running") +
+          "\n";
   text += format("time       %.2f s simulated, step %llu, frame %llu\n", s.simulation_time(), ull{s.step()},
                  ull{s.frame()});
   text += format("speed      %.2f of real time (%.2f achievable), %.2f ms for a step of %.2f ms\n",

@@ -147,6 +147,7 @@ proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
   message.set_step(status.step);
   message.set_frame(status.frame);
   message.set_simulation_time(status.simulation_time);
+  message.set_starting(status.starting);
   message.set_paused(status.paused);
   message.set_real_time_factor(status.real_time_factor);
   message.set_achievable_real_time_factor(status.achievable_real_time_factor);

@@ -56,7 +56,8 @@ ServerMessage reply_to(std::uint64_t id, const std::string& path, const CommandA
   ServerMessage reply;
   if (!answer.refusal) {
     reply.mutable_response()->set_id(id);
-    reply.mutable_response()->mutable_accepted()->set_step(answer.step);
+    auto& accepted = *reply.mutable_response()->mutable_accepted();
+    answer.scheduled_id > 0 ? accepted.set_scheduled_id(answer.scheduled_id) : accepted.set_step(answer.step);
     return reply;
   }
   if (answer.refusal->field.empty()) return error_message(id, Error::REFUSED, answer.refusal->what);

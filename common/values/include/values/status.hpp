@@ -55,6 +55,7 @@ struct ServerStatus {
   std::uint64_t step = 0;
   std::uint64_t frame = 0;
   double simulation_time = 0.0;  ///< s
+  bool starting = false;         ///< the water is being placed and settled: no step has been made
   bool paused = false;
   double real_time_factor = 0.0;             ///< simulated seconds per wall second
   double achievable_real_time_factor = 0.0;  ///< simulated seconds per second spent stepping: above 1 is headroom
