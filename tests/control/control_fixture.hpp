@@ -172,13 +172,13 @@ class ControlTest : public testing::Test {
     return place.z() > 0.0 ? Eigen::Vector3d(place.x(), place.y(), 0.5) : Eigen::Vector3d::Zero();
   }
 
-  ServerStatus status_;                                                    // set before the server starts
-  CommandSite site_{{{0, 0, 0}, {60, 40, 16}}, {1, 2}, OilModel::kSlick};  // likewise
-  std::optional<std::string> refusal_;                                     // likewise
-  bool throws_ = false;                                                    // likewise
-  bool holds_answers_ = false;                                             // likewise: until release_answer
-  static constexpr std::uint64_t kStep = 77;                               // that commands take effect before
-  double now_ = 0.0;                                                       // likewise: s, the present simulated time
+  ServerStatus status_;                                                              // set before the server starts
+  CommandSurroundings around_{{{0, 0, 0}, {60, 40, 16}}, {1, 2}, OilModel::kSlick};  // likewise
+  std::optional<std::string> refusal_;                                               // likewise
+  bool throws_ = false;                                                              // likewise
+  bool holds_answers_ = false;                                                       // likewise: until release_answer
+  static constexpr std::uint64_t kStep = 77;                                         // that commands take effect before
+  double now_ = 0.0;  // likewise: s, the present simulated time
 
  private:
   ControlHooks hooks() {
@@ -208,7 +208,7 @@ class ControlTest : public testing::Test {
       return std::erase_if(scheduled_, [id](const ScheduledCommand& waiting) { return waiting.id == id; }) > 0;
     };
     hooks.scheduled = [this] { return scheduled(); };
-    hooks.find_misfit = [this](const Command& command) { return find_misfit(command, site_); };
+    hooks.find_misfit = [this](const Command& command) { return find_misfit(command, around_); };
     hooks.status = [this] { return status_; };
     hooks.read_air = [this](const std::vector<Eigen::Vector3d>& position) {
       if (throws_) throw std::runtime_error("broken");
@@ -225,7 +225,7 @@ class ControlTest : public testing::Test {
 
   /// Stands in for the world at a step boundary.
   std::optional<Misfit> take(const Command& command) {
-    if (auto misfit = find_misfit(command, site_)) return misfit;
+    if (auto misfit = find_misfit(command, around_)) return misfit;
     if (std::holds_alternative<ClearWind>(command)) status_.wind.reset();
     const auto* set = std::get_if<SetWind>(&command);
     if (set == nullptr) {

@@ -130,7 +130,7 @@ TEST_F(CtlOil, IsToldAtOnceWhatDoesNotFitTheScene) {
 }
 
 TEST_F(CtlOil, IsToldThatTheSceneHasNoOil) {
-  site_.oil.reset();
+  around_.oil.reset();
   EXPECT_THAT(ask({"spill", "1", "20", "--volume", "1"}).err, HasSubstr("the scene has no oil"));
 }
 

@@ -138,10 +138,10 @@ TEST(GivenNames, TellWhereThereIsNoRoom) {
   EXPECT_FALSE(find_no_room(SetProbe{probe}, given));
 }
 
-TEST(CommandSite, ABoomNeedsAPieceInTheTank) {
-  const CommandSite site{{{0, 0, 0}, {10, 5, 3}}, {}, OilModel::kSlick};
+TEST(CommandSurroundings, ABoomNeedsAPieceInTheTank) {
+  const CommandSurroundings around{{{0, 0, 0}, {10, 5, 3}}, {}, OilModel::kSlick};
   const auto fits = [&](std::vector<Eigen::Vector2d> line) {
-    return !find_misfit(OilCommand{SetBoom{"b", std::move(line), 0.5, 0.36}}, site);
+    return !find_misfit(OilCommand{SetBoom{"b", std::move(line), 0.5, 0.36}}, around);
   };
   EXPECT_TRUE(fits({{1, 1}, {2, 2}}));
   EXPECT_TRUE(fits({{-5, 2}, {15, 3}})) << "across, moored on both shores";

@@ -34,7 +34,7 @@ class WaterSurfaceTest : public testing::Test {
     min_ = {tank.min[0], tank.min[1]};
     max_ = {tank.max[0], tank.max[1]};
   }
-  [[nodiscard]] SurfaceSite site(const PatchBlend& blend) const {
+  [[nodiscard]] SurfaceSurroundings around(const PatchBlend& blend) const {
     return {world_.patch(), world_.fluid().parameters.tank, blend};
   }
   /// Places up to 8 m outside the tank.
@@ -53,7 +53,7 @@ class WaterSurfaceTest : public testing::Test {
 };
 
 TEST_F(WaterSurfaceTest, ProbesOilAndWindReadTheSameHeight) {
-  WaterSurface surface(pool_, site({}));
+  WaterSurface surface(pool_, around({}));
   const SurfaceGrid grid = surface.grid_with_velocities(world_.fluid());
   const double d = world_.fluid().parameters.spacing;
   ASSERT_GT(grid.cells.size(), 500U);
@@ -81,7 +81,7 @@ TEST_F(WaterSurfaceTest, ProbesOilAndWindReadTheSameHeight) {
 
 TEST_F(WaterSurfaceTest, IsTheParticlesInsideTheWavesOutsideAndBlendedOnce) {
   const PatchBlend blend = rim_blend(0.25, 12.0);
-  WaterSurface surface(pool_, site(blend));
+  WaterSurface surface(pool_, around(blend));
   const WaveMoment moment = world_.sea().at(world_.time(), world_.patch().origin.head<2>());
   const std::vector<SurfacePlace> at = places(1000);
   const auto read = surface.read(world_.fluid(), world_.sea(), world_.time(), at);
@@ -105,7 +105,7 @@ TEST_F(WaterSurfaceTest, IsTheParticlesInsideTheWavesOutsideAndBlendedOnce) {
 }
 
 TEST_F(WaterSurfaceTest, IsContinuousAcrossAnOpenEdge) {
-  WaterSurface surface(pool_, site(rim_blend(0.25, 12.0)));
+  WaterSurface surface(pool_, around(rim_blend(0.25, 12.0)));
   std::vector<SurfacePlace> line;
   constexpr double kStep = 0.005;
   for (double x = -1.0; x < 4.0; x += kStep) line.push_back({{min_.x() + x, 0.5 * (min_.y() + max_.y())}, {}});
@@ -115,11 +115,11 @@ TEST_F(WaterSurfaceTest, IsContinuousAcrossAnOpenEdge) {
 }
 
 TEST_F(WaterSurfaceTest, HasTheSameBitsForAnyNumberOfThreads) {
-  WaterSurface first(pool_, site({}));
+  WaterSurface first(pool_, around({}));
   const SurfaceGrid expected = first.grid_with_velocities(world_.fluid());
   for (const int threads : {2, 7}) {
     TaskPool many(threads);
-    WaterSurface again(many, site({}));
+    WaterSurface again(many, around({}));
     const SurfaceGrid& grid = again.grid_with_velocities(world_.fluid());
     ASSERT_EQ(grid.cells.size(), expected.cells.size());
     for (std::size_t k = 0; k < grid.cells.size(); ++k) {

@@ -8,7 +8,7 @@
 namespace pelagos {
 namespace {
 
-const AirSite kSite{.frame = {}, .water_level = 0.5, .seed = 4};
+const AirSurroundings kSurroundings{.frame = {}, .water_level = 0.5, .seed = 4};
 constexpr double kMast = 10.5;  // m, world: 10 m above the mean level, where the wind is as set
 
 WindSettings paper_wind() {
@@ -22,7 +22,7 @@ WindSettings paper_wind() {
 
 TEST(Air, DisturbanceIsCarriedByTheMeanWind) {
   const WindSettings wind = paper_wind();
-  const Air air(kSite, wind);
+  const Air air(kSurroundings, wind);
   for (int i = 0; i < 20; ++i) {
     const Eigen::Vector3d place(0.3 * i, 1.0, kMast);
     const double time = 0.17 * i;
@@ -31,7 +31,7 @@ TEST(Air, DisturbanceIsCarriedByTheMeanWind) {
 }
 
 TEST(Air, DisturbanceHasTheNoisesStrength) {
-  const Air air(kSite, paper_wind());
+  const Air air(kSurroundings, paper_wind());
   double squares = 0;
   const int count = 20000;
   for (int i = 0; i < count; ++i)
@@ -46,7 +46,7 @@ TEST(Air, RampIsLinearAndContinuous) {
   storm.velocity = {0, 20, 0};
   storm.amplitude = 5;
   storm.length = 3;
-  Air air(kSite, calm);
+  Air air(kSurroundings, calm);
   air.set(storm, 10.0, 8.0);
   EXPECT_LT((air.settings_at(14.0).velocity - Eigen::Vector3d(2, 10, 0)).norm(), 1e-12);
   EXPECT_NEAR(air.settings_at(14.0).amplitude, 3.0, 1e-12);
@@ -71,7 +71,7 @@ TEST(Air, CarriedWayIsTheIntegralOfTheMeanWind) {
   WindSettings slow = paper_wind(), fast = paper_wind();
   slow.velocity = {2, 0, 0};
   fast.velocity = {10, 4, 0};
-  Air air(kSite, slow);
+  Air air(kSurroundings, slow);
   const Eigen::Vector3d place(1, 2, kMast);
   const Eigen::Vector3d start = air.velocity_at(place, 0.0) - slow.velocity;
   air.set(fast, 1.0, 4.0);
@@ -82,7 +82,7 @@ TEST(Air, CarriedWayIsTheIntegralOfTheMeanWind) {
 TEST(Air, PulseOpensAndClosesInSeconds) {
   WindSettings wind = paper_wind();
   wind.pulse = WindPulse{.period = 4, .width = 1.5};
-  const Air air(kSite, wind);
+  const Air air(kSurroundings, wind);
   EXPECT_GT(air.velocity_at({1, 1, kMast}, 0.0).norm(), 1.0);
   EXPECT_GT(air.velocity_at({1, 1, kMast}, 1.49).norm(), 1.0);
   EXPECT_EQ(air.velocity_at({1, 1, kMast}, 1.51).norm(), 0.0);
@@ -91,9 +91,9 @@ TEST(Air, PulseOpensAndClosesInSeconds) {
 }
 
 TEST(Air, SeedChangesTheDisturbanceOnly) {
-  AirSite other = kSite;
+  AirSurroundings other = kSurroundings;
   other.seed = 5;
-  const Air a(kSite, paper_wind()), b(kSite, paper_wind()), c(other, paper_wind());
+  const Air a(kSurroundings, paper_wind()), b(kSurroundings, paper_wind()), c(other, paper_wind());
   EXPECT_EQ(a.velocity_at({1.3, 2.2, kMast}, 3), b.velocity_at({1.3, 2.2, kMast}, 3));
   EXPECT_NE(a.velocity_at({1.3, 2.2, kMast}, 3), c.velocity_at({1.3, 2.2, kMast}, 3));
 }
@@ -101,7 +101,7 @@ TEST(Air, SeedChangesTheDisturbanceOnly) {
 TEST(Air, FollowsTheLogProfileAboveTheMeanLevel) {
   WindSettings wind = paper_wind();
   wind.roughness = 1e-3;
-  const Air air(kSite, wind);
+  const Air air(kSurroundings, wind);
   const Eigen::Vector3d reference = air.velocity_at({3, 4, kMast}, 2.0);
   EXPECT_LT((air.velocity_at({3, 4, 0.5 + 31.6227766}, 2.0) - 1.125 * reference).norm(),
             1e-8);                                                                // ln(10^4.5) / ln(10^4)
@@ -111,9 +111,9 @@ TEST(Air, FollowsTheLogProfileAboveTheMeanLevel) {
 }
 
 TEST(Air, AnAnemometerAtTenMetresReadsWhatPushesTheSea) {
-  AirSite site = kSite;
-  site.frame.origin = {100, -50, -3};
-  const Air air(site, paper_wind());
+  AirSurroundings around = kSurroundings;
+  around.frame.origin = {100, -50, -3};
+  const Air air(around, paper_wind());
   const Eigen::Vector3d local(7.3, 2.1, air.local_level());
   EXPECT_EQ(air.velocity_at({107.3, -47.9, kMast}, 3.0), air.reference(air.at(3.0), local));
 }
@@ -124,7 +124,7 @@ TEST(Air, GustsFallOffBeyondTheFrequencyAtWhichEddiesPass) {
   WindSettings wind = paper_wind();
   wind.velocity = {10, 0, 0};
   wind.length = 20;  // 0.5 Hz
-  const Air air(kSite, wind);
+  const Air air(kSurroundings, wind);
   constexpr int kCount = 1024;
   constexpr double kRate = 16.0;  // Hz
   double low = 0.0, high = 0.0;
@@ -144,7 +144,7 @@ TEST(Air, GustsFallOffBeyondTheFrequencyAtWhichEddiesPass) {
 }
 
 TEST(Air, MeanIsTheWindThatWasSet) {
-  const Air air(kSite, paper_wind());
+  const Air air(kSurroundings, paper_wind());
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   constexpr int kCount = 20000;
   for (int n = 0; n < kCount; ++n) sum += air.velocity_at({0.613 * n, 0.291 * n, kMast}, 0.0);

@@ -14,7 +14,9 @@ namespace {
 constexpr double kSpacing = 0.05;
 constexpr double kStep = 0.0049975;  // s, 0.07 sqrt(d / g)
 
-WindSite site_of(double gravity = 9.81) { return {{PatchFrame{}, 0.475, 4}, kSpacing, gravity, 1000.0}; }
+WindSurroundings surroundings_of(double gravity = 9.81) {
+  return {{PatchFrame{}, 0.475, 4}, kSpacing, gravity, 1000.0};
+}
 
 WindSettings paper_wind() {
   WindSettings wind;
@@ -54,7 +56,7 @@ std::vector<Float4> push_on(Wind& wind, const std::vector<Float4>& position, dou
 TEST(GustLaw, MeanPushEqualsThePapersOverItsOwnWindScene) {
   WindSettings wind = paper_wind();
   wind.amplitude = 0;  // the mean of the disturbance is zero
-  Wind gust(site_of(), wind);
+  Wind gust(surroundings_of(), wind);
   const auto position = make_block(99, 39, 9);  // 34,749 particles
   ASSERT_EQ(position.size(), 34749u);
   const auto acceleration = push_on(gust, position, 0.0);
@@ -71,7 +73,7 @@ TEST(GustLaw, MeanPushEqualsThePapersOverItsOwnWindScene) {
 TEST(GustLaw, FallsFromTheLawsFullValueAtTheSurface) {
   WindSettings wind = paper_wind();
   wind.amplitude = 0;
-  Wind gust(site_of(), wind);
+  Wind gust(surroundings_of(), wind);
   const auto position = make_block(20, 20, 60);
   const auto acceleration = push_on(gust, position, 0.0);
   const double full = 1.5 * 1.293 / 1000 * -18 / (0.07 * std::sqrt(kSpacing / 9.81));
@@ -84,7 +86,7 @@ TEST(GustLaw, FallsFromTheLawsFullValueAtTheSurface) {
 }
 
 TEST(GustLaw, DoesNotDependOnTheTimeStepButOnTime) {
-  Wind gust(site_of(), paper_wind());
+  Wind gust(surroundings_of(), paper_wind());
   const auto position = make_block(30, 10, 5);
   const auto first = push_on(gust, position, 0.5);
   static_cast<void>(push_on(gust, position, 0.25));
@@ -95,7 +97,7 @@ TEST(GustLaw, DoesNotDependOnTheTimeStepButOnTime) {
 }
 
 TEST(GustLaw, SameBitsForAnyNumberOfThreads) {
-  Wind gust(site_of(), paper_wind());
+  Wind gust(surroundings_of(), paper_wind());
   const auto position = make_block(60, 39, 9);
   const auto one = push_on(gust, position, 1.0, 1);
   for (const int threads : {2, 7}) {
@@ -112,7 +114,7 @@ TEST(GustLaw, GridReproducesTheDisturbanceWithinTwoPercent) {
   WindSettings wind = paper_wind();
   wind.length = 10 * kSpacing;
   wind.amplitude = 18;
-  Wind gust(site_of(), wind);
+  Wind gust(surroundings_of(), wind);
   const auto position = make_block(99, 39, 9);
   const auto acceleration = push_on(gust, position, 0.3);
   const double scale = 1.5 * 1.293 / 1000 / (0.07 * std::sqrt(kSpacing / 9.81));
@@ -133,7 +135,7 @@ TEST(GustLaw, GridReproducesTheDisturbanceWithinTwoPercent) {
 TEST(GustLaw, AFlyingDropDoesNotShadowTheWater) {
   WindSettings wind = paper_wind();
   wind.amplitude = 0;
-  Wind gust(site_of(), wind);
+  Wind gust(surroundings_of(), wind);
   auto position = make_block(20, 20, 9);
   const auto without = push_on(gust, position, 0.0);
   position.push_back({0.5f, 0.5f, 3.0f, 0});
@@ -145,7 +147,7 @@ TEST(GustLaw, AFlyingDropDoesNotShadowTheWater) {
 
 TEST(GustLaw, SurvivesAbsurdInput) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
-  Wind gust(site_of(), paper_wind());
+  Wind gust(surroundings_of(), paper_wind());
   auto position = make_block(5, 5, 5);
   position[3].x = nan;
   position[10].z = infinity;
@@ -157,7 +159,7 @@ TEST(GustLaw, SurvivesAbsurdInput) {
   for (const Float4& a : acceleration) EXPECT_TRUE(std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z));
   EXPECT_TRUE(push_on(gust, {}, 0).empty());
 
-  Wind none(site_of(0.0), paper_wind());
+  Wind none(surroundings_of(0.0), paper_wind());
   EXPECT_EQ(push_on(none, make_block(3, 3, 3), 0)[0].x, 0.0f);
 }
 
@@ -165,7 +167,7 @@ TEST(StressLaw, GivesTheSeaTheMomentumThatTheAirLoses) {
   WindSettings wind = paper_wind();
   wind.law = WindLaw::kStress;
   wind.amplitude = 0;
-  Wind stress(site_of(), wind);
+  Wind stress(surroundings_of(), wind);
   const auto position = make_block(20, 20, 30);
   const auto acceleration = push_on(stress, position, 0.0);
   double taken = 0.0;  // N per m^2, of one column
@@ -186,9 +188,9 @@ TEST(StressLaw, DragFollowsLargeAndPond) {
 
 TEST(StressLaw, IsFarWeakerThanTheLawGust) {
   WindSettings wind = paper_wind();
-  Wind gust(site_of(), wind);
+  Wind gust(surroundings_of(), wind);
   wind.law = WindLaw::kStress;
-  Wind stress(site_of(), wind);
+  Wind stress(surroundings_of(), wind);
   const auto position = make_block(20, 20, 9);
   EXPECT_LT(push_on(stress, position, 0.0)[8].x / push_on(gust, position, 0.0)[8].x, 0.1f);
 }
@@ -198,7 +200,7 @@ TEST(PaperLaw, AddsAVelocityEveryStepAsPrinted) {
   wind.law = WindLaw::kPaper;
   wind.roughness = 0.01;
   wind.amplitude = 0;
-  Wind paper(site_of(), wind);
+  Wind paper(surroundings_of(), wind);
   const std::vector<Float4> position = {{1, 1, 0.05f, 0}, {1, 1, 0.45f, 0}, {1, 1, 0.005f, 0}, {1, 1, -0.1f, 0}};
   const Push push = act(paper, position, 0.0);
   const double unit = 1.5 * 1.293e-3 * -18.0 / std::log(10.0 / 0.01);
@@ -214,21 +216,21 @@ TEST(PaperLaw, PulseCountsStepsAndTheNoiseIsNewInEach) {
   wind.law = WindLaw::kPaper;
   wind.roughness = 0.01;
   wind.pulse = WindPulse{.period = 4, .width = 3};
-  Wind paper(site_of(), wind);
+  Wind paper(surroundings_of(), wind);
   const std::vector<Float4> position = {{1.3f, 1.7f, 0.45f, 0}};
   std::vector<float> pushes;
   for (int step = 0; step < 8; ++step) pushes.push_back(act(paper, position, 0.0).velocity[0].x);
   for (const int closed : {3, 7}) EXPECT_EQ(pushes[static_cast<std::size_t>(closed)], 0.0f) << closed;
   for (const int open : {0, 1, 2, 4, 5, 6}) EXPECT_LT(pushes[static_cast<std::size_t>(open)], 0.0f) << open;
   EXPECT_NE(pushes[0], pushes[1]);
-  Wind again(site_of(), wind);
+  Wind again(surroundings_of(), wind);
   EXPECT_EQ(act(again, position, 0.7).velocity[0].x, pushes[0]) << "the same seed, the same noise";
 }
 
 TEST(PaperLaw, SurvivesAbsurdInput) {
   WindSettings wind = paper_wind();
   wind.law = WindLaw::kPaper;
-  Wind paper(site_of(), wind);
+  Wind paper(surroundings_of(), wind);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const Push push = act(paper, {{nan, 0, 0.1f, 0}, {0, 0, std::numeric_limits<float>::infinity(), 0}}, 0.0);
   EXPECT_EQ(push.velocity[0].x, 0.0f);
@@ -237,7 +239,7 @@ TEST(PaperLaw, SurvivesAbsurdInput) {
 
 TEST(Wind, ChangesItsLawWhileItBlows) {
   WindSettings wind = paper_wind();
-  Wind blowing(site_of(), wind);
+  Wind blowing(surroundings_of(), wind);
   const std::vector<Float4> position = make_block(6, 6, 6);
   EXPECT_NE(act(blowing, position, 0.0).acceleration[5].x, 0.0f);
   wind.law = WindLaw::kPaper;

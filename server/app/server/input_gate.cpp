@@ -21,7 +21,7 @@ std::string bridge_name(std::uint32_t sender) { return "bridge " + std::to_strin
 InputGate::InputGate(const Scene& scene, std::optional<Replay> replay)
     : driven_(driven_bodies(scene)),
       origin_(scene.origin),
-      site_(command_site(scene)),
+      around_(command_surroundings(scene)),
       commands_(replay ? std::vector<SceneEvent>{} : scene.events),
       replay_(std::move(replay)) {
   limits_.spacing = scene.particle_spacing;
@@ -45,7 +45,7 @@ std::optional<std::string> InputGate::submit(const Command& command, const std::
 
 std::optional<std::string> InputGate::submit_before_start(const Command& command, const std::string& source,
                                                           TakeAnswer answer) {
-  CommandAnswer news{0, find_misfit(command, site_), 0};
+  CommandAnswer news{0, find_misfit(command, around_), 0};
   if (!news.refusal) {
     const CommandQueue::Scheduled waiting = commands_.schedule(command, 0.0, source);
     if (waiting.past) return commands_.submit(command, source, std::move(answer));  // it has just started

@@ -13,7 +13,7 @@
 #include "simulation/world.hpp"
 #include "transport/pose_receiver.hpp"
 #include "transport/probe_receiver.hpp"
-#include "values/command_site.hpp"
+#include "values/command_surroundings.hpp"
 #include "values/scene.hpp"
 #include "values/step_inputs.hpp"
 
@@ -69,7 +69,7 @@ class InputGate {
 
   std::vector<std::uint32_t> driven_;
   GeodeticOrigin origin_;
-  CommandSite site_;
+  CommandSurroundings around_;
   std::atomic<bool> started_ = false;  ///< inputs have been collected
   PoseLimits limits_;
   CommandQueue commands_;

@@ -48,7 +48,9 @@ ControlHooks Server::control_hooks() {
   };
   hooks.cancel = [this](std::uint64_t id, const std::string& source) { return gate_.cancel(id, source); };
   hooks.scheduled = [this] { return gate_.scheduled(); };
-  hooks.find_misfit = [site = command_site(options_.scene)](const Command& c) { return find_misfit(c, site); };
+  hooks.find_misfit = [around = command_surroundings(options_.scene)](const Command& c) {
+    return find_misfit(c, around);
+  };
   hooks.status = [this] { return *board_.status(); };
   hooks.read_air = [this](const std::vector<Eigen::Vector3d>& position) { return board_.read_air(position); };
   hooks.log = [](LogLevel level, std::string_view text) {

@@ -46,11 +46,11 @@ std::optional<Misfit> follow_wind(const Command& command, std::optional<WindSett
 
 /// Whether the command fits what the scene has, and what the events before it have set. Stations may change that while
 /// the scene runs; this finds the mistakes of the scene's author.
-void check_fit(const FieldReader& entry, const std::optional<CommandSite>& site, const Command& command,
+void check_fit(const FieldReader& entry, const std::optional<CommandSurroundings>& commands, const Command& command,
                Foreseen& foreseen) {
   GivenNames& given = foreseen.names;
   std::optional<Misfit> misfit = follow_wind(command, foreseen.wind);
-  if (!misfit && site) misfit = find_misfit(command, *site);
+  if (!misfit && commands) misfit = find_misfit(command, *commands);
   if (!misfit) misfit = find_unknown_name(command, given);
   if (!misfit) misfit = find_no_room(command, given);
   if (misfit) entry.child(entry.which("command").c_str()).fault(*misfit);
@@ -64,7 +64,7 @@ void read_event(const FieldReader& entry, const EventSurroundings& around, Fores
   const std::optional<Command> command = read_command(entry, "command", CommandPlace::kTimed);
   if (!command) return;
   event.command = *command;
-  if (entry.fault_count() == faults) check_fit(entry, around.site, *command, foreseen);
+  if (entry.fault_count() == faults) check_fit(entry, around.commands, *command, foreseen);
   if (std::holds_alternative<SetWind>(event.command) && around.weightless)
     entry.fault("set_wind", "blows without gravity; allowed: gravity above 0 (the push scales with sqrt(d/g))");
 }

@@ -150,7 +150,7 @@ void read_wind_of_scene(const FieldReader& reader, const Basis& basis, Scene& sc
   }
 }
 
-std::vector<ProbeSettings> read_probes(const FieldReader& reader, const std::optional<CommandSite>& site) {
+std::vector<ProbeSettings> read_probes(const FieldReader& reader, const std::optional<CommandSurroundings>& commands) {
   std::vector<ProbeSettings> probes;
   const std::vector<FieldReader> entries = reader.children("probe");
   if (entries.size() > kMostProbes) {
@@ -164,7 +164,8 @@ std::vector<ProbeSettings> read_probes(const FieldReader& reader, const std::opt
     const bool taken =
         std::any_of(probes.begin(), probes.end(), [&](const ProbeSettings& other) { return other.id == probe.id; });
     if (taken && probe.id != 0) entry.fault("id", std::to_string(probe.id) + " is taken by another probe");
-    const auto misfit = site && entry.fault_count() == faults ? find_misfit(SetProbe{probe}, *site) : std::nullopt;
+    const auto misfit =
+        commands && entry.fault_count() == faults ? find_misfit(SetProbe{probe}, *commands) : std::nullopt;
     if (misfit) entry.fault(misfit->field.c_str(), misfit->what);
     probes.push_back(probe);
   }
@@ -238,12 +239,12 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
   if (reader.has("current")) scene.current = read_current(reader.child("current"));
   scene.bodies = validate_bodies(reader, tank, source);
   check_bodies_against_solver(reader, scene);
-  const auto site = tank ? std::optional(command_site(scene)) : std::nullopt;
-  scene.probes = read_probes(reader, site);
-  EventSurroundings around{scene.wind, site, {}, basis.gravity && *basis.gravity == 0.0};
+  const auto commands = tank ? std::optional(command_surroundings(scene)) : std::nullopt;
+  scene.probes = read_probes(reader, commands);
+  EventSurroundings around{scene.wind, commands, {}, basis.gravity && *basis.gravity == 0.0};
   for (const ProbeSettings& probe : scene.probes) around.probes.push_back(probe.id);
   scene.events = validate_events(reader, around);
-  read_far_sea(reader, command_site(scene).gravity, scene.far_sea);
+  read_far_sea(reader, command_surroundings(scene).gravity, scene.far_sea);
   read_origin(reader, scene.origin);
   read_surface(reader, basis, scene.surface);
   return scene;

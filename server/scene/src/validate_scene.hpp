@@ -5,7 +5,7 @@
 
 #include "messages/field_reader.hpp"
 #include "scene/read_scene.hpp"
-#include "values/command_site.hpp"
+#include "values/command_surroundings.hpp"
 
 namespace pelagos {
 
@@ -66,10 +66,10 @@ void read_surface_of_body(const FieldReader& body_reader, const SceneSource& sou
 
 /// What events build on and have to fit.
 struct EventSurroundings {
-  std::optional<WindSettings> wind;   ///< the scene's
-  std::optional<CommandSite> site;    ///< none where the tank is faulty
-  std::vector<std::uint32_t> probes;  ///< ids
-  bool weightless = false;            ///< no wind can blow
+  std::optional<WindSettings> wind;             ///< the scene's
+  std::optional<CommandSurroundings> commands;  ///< none where the tank is faulty
+  std::vector<std::uint32_t> probes;            ///< ids
+  bool weightless = false;                      ///< no wind can blow
 };
 
 /// The `event` entries, in their order; each builds on the scene and the events before its time.

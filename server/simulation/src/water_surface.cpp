@@ -48,13 +48,13 @@ const SurfaceGrid& WaterSurface::grid_with_velocities(const FluidState& fluid) {
 }
 
 SurfaceReading WaterSurface::read_waves(const WaveMoment& moment, const SurfacePlace& place) const {
-  const Eigen::Vector2f at = (site_.frame.to_world(place.local) - moment.anchor).cast<float>();
+  const Eigen::Vector2f at = (around_.frame.to_world(place.local) - moment.anchor).cast<float>();
   float height = 0, slope_x = 0, slope_y = 0;
   Eigen::Vector3f velocity;
   evaluate_displaced_surface(
       moment, {&at.x(), 1}, {&at.y(), 1},
       {{&height, 1}, {&slope_x, 1}, {&slope_y, 1}, {&velocity.x(), 1}, {&velocity.y(), 1}, {&velocity.z(), 1}});
-  const double level = site_.frame.local_height(moment.level);
+  const double level = around_.frame.local_height(moment.level);
   SurfaceReading reading;
   reading.wet = true;
   reading.share = 0.0;
@@ -77,17 +77,18 @@ std::vector<SurfaceReading> WaterSurface::read_particles(const FluidState& fluid
 
 std::vector<SurfaceReading> WaterSurface::read(const FluidState& fluid, const WaveField& sea, double time,
                                                std::span<const SurfacePlace> places) {
-  const Eigen::Vector2d min(site_.patch.min[0], site_.patch.min[1]), max(site_.patch.max[0], site_.patch.max[1]);
+  const Eigen::Vector2d min(around_.patch.min[0], around_.patch.min[1]),
+      max(around_.patch.max[0], around_.patch.max[1]);
   std::optional<WaveMoment> moment;
   std::vector<SurfaceReading> readings;
   readings.reserve(places.size());
   for (const SurfacePlace& place : places) {
     SurfaceReading& reading = readings.emplace_back();
     if (!place.local.allFinite()) continue;
-    const double share = patch_weight(site_.blend, min, max, place.local);
+    const double share = patch_weight(around_.blend, min, max, place.local);
     if (share > 0.0) reading = columns(fluid).read(place);
     if (share == 1.0) continue;
-    if (!moment) moment = sea.at(time, site_.frame.to_world(Eigen::Vector2d(0.5 * (min + max))));
+    if (!moment) moment = sea.at(time, around_.frame.to_world(Eigen::Vector2d(0.5 * (min + max))));
     const SurfaceReading waves = read_waves(*moment, place);
     reading = reading.wet && share > 0.0 ? blend(reading, waves, share) : waves;
   }

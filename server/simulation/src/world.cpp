@@ -14,7 +14,7 @@
 #include "simulation/fluid_setup.hpp"
 #include "version/version.hpp"
 #include "waves/sea_state.hpp"
-#include "world_sites.hpp"
+#include "wind_surroundings.hpp"
 
 namespace pelagos {
 
@@ -60,7 +60,7 @@ SurfaceScales surface_scales(const FluidParameters& parameters) {
 
 World::World(const Scene& scene, const WorldOptions& options)
     : scene_(scene),
-      site_(command_site(scene)),
+      around_(command_surroundings(scene)),
       options_(options),
       pool_(std::make_unique<TaskPool>(std::max(1, options.threads))),
       frame_(patch_frame(scene)),
@@ -69,7 +69,7 @@ World::World(const Scene& scene, const WorldOptions& options)
       fluid_(make_start(*pool_, scene, bodies_, frame_)),
       water_level_(rest_level(*pool_, scene, bodies_,
                               std::span(fluid_.particles.position).first(fluid_.particles.count), frame_)),
-      sea_(make_sea(scene, site_.gravity, water_level_)),
+      sea_(make_sea(scene, around_.gravity, water_level_)),
       water_surface_(*pool_, {frame_, fluid_.parameters.tank, {}}),
       drive_(scene, frame_, water_level_, fluid_.particles.count),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
@@ -81,7 +81,7 @@ World::World(const Scene& scene, const WorldOptions& options)
   for (const ProbeSettings& probe : scene_.probes)
     if (const auto outcome = apply(SetProbe{probe}); outcome.refusal)
       throw std::invalid_argument("probe " + std::to_string(probe.id) + ": " + to_string(*outcome.refusal));
-  if (scene_.wind) wind_.emplace(wind_site(scene_, frame_, water_level_), *scene_.wind);
+  if (scene_.wind) wind_.emplace(wind_surroundings(scene_, frame_, water_level_), *scene_.wind);
   note_start();
   settle();
   for (std::size_t i = 0; i < fluid_.particles.count; ++i)
@@ -270,7 +270,7 @@ void World::restore(const WorldState& state) {
   bodies_.restore(state.bodies, frame_, fluid_);
   if (spill_) spill_->restore(*state.oil);
   wind_.reset();
-  if (state.wind) wind_.emplace(wind_site(scene_, frame_, water_level_), *state.wind);
+  if (state.wind) wind_.emplace(wind_surroundings(scene_, frame_, water_level_), *state.wind);
   current_ = state.current;
   sea_ = state.sea;
   probes_.restore(state.probes);

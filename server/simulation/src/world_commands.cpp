@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "simulation/world.hpp"
-#include "values/command_site.hpp"
-#include "world_sites.hpp"
+#include "values/command_surroundings.hpp"
+#include "wind_surroundings.hpp"
 
 namespace pelagos {
 
@@ -33,7 +33,7 @@ std::vector<CommandOutcome> World::take(const StepInputs& inputs) {
 }
 
 CommandOutcome World::apply(const Command& command) {
-  CommandOutcome outcome{command, find_misfit(command, site_)};
+  CommandOutcome outcome{command, find_misfit(command, around_)};
   if (!outcome.refusal && uses_names(command)) {
     const GivenNames given = names();
     outcome.refusal = find_unknown_name(command, given);
@@ -125,14 +125,14 @@ std::optional<Misfit> World::set_wind(const SetWind& command) {
     WindSettings calm = wind;
     calm.velocity.setZero();
     calm.amplitude = 0.0;
-    wind_.emplace(wind_site(scene_, frame_, water_level_), calm, clock_.time());
+    wind_.emplace(wind_surroundings(scene_, frame_, water_level_), calm, clock_.time());
   }
   wind_->set(wind, clock_.time(), command.ramp_seconds);
   return {};
 }
 
 std::optional<Misfit> World::set_waves(const SetWaves& command) {
-  if (sea_.exchange(wave_components(command.waves, site_.gravity), clock_.time(), command.blend_seconds)) return {};
+  if (sea_.exchange(wave_components(command.waves, around_.gravity), clock_.time(), command.blend_seconds)) return {};
   return Misfit{"", fmt::format("{} exchanges of the waves still run; allowed: at most so many, and another one from "
                                 "{:g} s on",
                                 WaveField::kMostLayers - 1, sea_.open_from())};

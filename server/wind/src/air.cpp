@@ -30,9 +30,9 @@ double log_profile(double height, double roughness) {
   return height > roughness ? std::log(height / roughness) / std::log(Air::kReferenceHeight / roughness) : 0.0;
 }
 
-Air::Air(const AirSite& site, const WindSettings& wind, double time)
-    : site_(site), from_(wind), to_(wind), ramp_start_(time) {
-  SplitMix64 random(site.seed);
+Air::Air(const AirSurroundings& around, const WindSettings& wind, double time)
+    : around_(around), from_(wind), to_(wind), ramp_start_(time) {
+  SplitMix64 random(around.seed);
   for (Eigen::Vector3d& offset : offset_) offset = random_offset(random);
 }
 
@@ -77,7 +77,7 @@ Eigen::Vector3d Air::carried_at(double time) const {
 }
 
 Eigen::Vector3d Air::jump_of_step() const {
-  SplitMix64 random(site_.seed ^ (0x9e3779b97f4a7c15u * (steps_ + 1)));
+  SplitMix64 random(around_.seed ^ (0x9e3779b97f4a7c15u * (steps_ + 1)));
   return random_offset(random);
 }
 
@@ -103,9 +103,9 @@ Eigen::Vector3d Air::reference(const Moment& moment, const Eigen::Vector3d& loca
 
 Eigen::Vector3d Air::velocity_at(const Eigen::Vector3d& position, double time) const {
   const Moment moment = at(time);
-  const double profile = log_profile(position.z() - site_.water_level, moment.wind.roughness);
+  const double profile = log_profile(position.z() - around_.water_level, moment.wind.roughness);
   if (profile == 0.0) return Eigen::Vector3d::Zero();
-  const Eigen::Vector3d local = site_.frame.to_local(position);
+  const Eigen::Vector3d local = around_.frame.to_local(position);
   return profile * reference(moment, {local.x(), local.y(), local_level()});
 }
 

@@ -30,7 +30,7 @@ void add_push(TaskPool& pool, const Air& air, const Air::Moment& moment, double 
 void Wind::push_as_printed(TaskPool& pool, std::span<const Float4> position, const Air::Moment& moment,
                            std::span<Float4> velocity) const {
   const double scale =
-      moment.wind.beta * Air::kDensity / site_.rest_density / std::log(Air::kReferenceHeight / moment.wind.roughness);
+      moment.wind.beta * Air::kDensity / around_.rest_density / std::log(Air::kReferenceHeight / moment.wind.roughness);
   add_push(pool, air_, moment, scale, position, velocity);
 }
 

@@ -39,14 +39,14 @@ struct SurfaceLaw {
   }
 };
 
-SurfaceLaw surface_law(const WindSite& site, const WindSettings& wind) {
-  const double density_ratio = Air::kDensity / site.rest_density;
+SurfaceLaw surface_law(const WindSurroundings& around, const WindSettings& wind) {
+  const double density_ratio = Air::kDensity / around.rest_density;
   if (wind.law == WindLaw::kStress) {
     // The layers at (i + 1/2) d share the stress: the sum of d exp(-(i + 1/2)) over all of them is d / (2 sinh(1/2)).
-    return {wind.law, density_ratio * 2.0 * std::sinh(0.5) / site.spacing, site.spacing};
+    return {wind.law, density_ratio * 2.0 * std::sinh(0.5) / around.spacing, around.spacing};
   }
-  const double reference_time = usual_step(site.spacing, site.gravity);  // infinite without gravity
-  return {wind.law, wind.beta * density_ratio / reference_time, Wind::kDecaySpacings * site.spacing};
+  const double reference_time = usual_step(around.spacing, around.gravity);  // infinite without gravity
+  return {wind.law, wind.beta * density_ratio / reference_time, Wind::kDecaySpacings * around.spacing};
 }
 
 /// Of a dry cell the mean of the wet ones around it, the mean level where there are none.
@@ -117,7 +117,7 @@ void apply_columns(TaskPool& pool, const ColumnGrid& grid, const std::vector<Flo
 
 void Wind::push_surface(TaskPool& pool, const SurfaceGrid& surface, std::span<const Float4> position,
                         const Air::Moment& moment, std::span<Float4> acceleration) {
-  const SurfaceLaw law = surface_law(site_, moment.wind);
+  const SurfaceLaw law = surface_law(around_, moment.wind);
   if (!(law.factor > 0.0) || surface.cells.empty()) return;
   fill_columns(pool, surface, air_, moment, law, column_);
   apply_columns(pool, surface.grid, column_, static_cast<float>(law.decay), position, acceleration);

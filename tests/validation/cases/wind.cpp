@@ -46,9 +46,9 @@ void compare_with_tables(Session& session, const Subject& subject) {
 /// What is plotted: the profile over two roughnesses, and a minute of gusts at a mast.
 void write_series(Session& session, const Subject& subject) {
   WindSettings wind = steady(WindLaw::kGust, 10.0);
-  const Air sea(AirSite{}, wind);
+  const Air sea(AirSurroundings{}, wind);
   wind.roughness = 0.01;
-  const Air rough(AirSite{}, wind);
+  const Air rough(AirSurroundings{}, wind);
   Series profile = session.series(subject, "profile", "height,sea,rough");
   for (int n = -50; n <= 24; ++n) {
     const double height = std::pow(10.0, 0.08 * n);
@@ -56,7 +56,7 @@ void write_series(Session& session, const Subject& subject) {
   }
   wind.amplitude = 3.0;
   wind.length = 20.0;
-  const Air gusty(AirSite{}, wind);
+  const Air gusty(AirSurroundings{}, wind);
   Series mast = session.series(subject, "mast", "t,u");
   for (int n = 0; n < 4096; ++n) mast.add({n / 16.0, gusty.velocity_at({0, 0, 10.0}, n / 16.0).x()});
 }
@@ -66,15 +66,15 @@ void measure_air(Session& session) {
   compare_with_tables(session, subject);
   write_series(session, subject);
   WindSettings wind = steady(WindLaw::kGust, 10.0);
-  AirSite site;
-  const double gain = Air(site, wind).velocity_at({0, 0, 50.0}, 0.0).x() / 10.0;
+  AirSurroundings around;
+  const double gain = Air(around, wind).velocity_at({0, 0, 50.0}, 0.0).x() / 10.0;
   session.add(subject, {"wind at 50 m over the wind at 10 m, z0 = 0.2 mm", gain, "", "ln(50/z0)/ln(10/z0) = 1.1488"});
   wind.amplitude = 3.0;
   double sum = 0.0, squares = 0.0;
   constexpr int kSeeds = 40, kPlaces = 5000, kCount = kSeeds * kPlaces;  // one seed's sea is one plane of the noise
   for (int seed = 0; seed < kSeeds; ++seed) {
-    site.seed = static_cast<std::uint64_t>(seed);
-    const Air air(site, wind);
+    around.seed = static_cast<std::uint64_t>(seed);
+    const Air air(around, wind);
     for (int n = 0; n < kPlaces; ++n) {
       const double u = air.velocity_at({6.131 * n, 2.917 * n, 10.0}, 0.0).x() - 10.0;
       sum += u;

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "values/command_site.hpp"
+#include "values/command_surroundings.hpp"
 
 namespace pelagos {
 

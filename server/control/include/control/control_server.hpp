@@ -13,7 +13,7 @@
 #include "values/air_reading.hpp"
 #include "values/command.hpp"
 #include "values/command_answer.hpp"
-#include "values/command_site.hpp"
+#include "values/command_surroundings.hpp"
 #include "values/status.hpp"
 
 namespace pelagos {

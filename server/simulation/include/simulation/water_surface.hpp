@@ -14,7 +14,7 @@
 namespace pelagos {
 
 /// What the surface is made of, besides the particles.
-struct SurfaceSite {
+struct SurfaceSurroundings {
   PatchFrame frame;
   Region patch;  ///< m, local
   /// Over which the wave field passes into the particles. Walls part the two: no blend, a step at the wall.
@@ -27,7 +27,7 @@ struct SurfaceSite {
 class WaterSurface {
  public:
   /// @param pool  must outlive this
-  WaterSurface(TaskPool& pool, const SurfaceSite& site) : pool_(pool), site_(site) {}
+  WaterSurface(TaskPool& pool, const SurfaceSurroundings& around) : pool_(pool), around_(around) {}
 
   /// The particles have moved, or will have before the next question.
   void forget() { has_columns_ = has_grid_ = has_velocities_ = false; }
@@ -51,7 +51,7 @@ class WaterSurface {
   [[nodiscard]] SurfaceReading read_waves(const WaveMoment& moment, const SurfacePlace& place) const;
 
   TaskPool& pool_;
-  SurfaceSite site_;
+  SurfaceSurroundings around_;
   WaterColumns columns_;
   SurfaceGrid grid_;
   bool has_columns_ = false, has_grid_ = false, has_velocities_ = false;  ///< of the particles as they are

@@ -16,7 +16,7 @@
 #include "simulation/water_surface.hpp"
 #include "simulation/world_state.hpp"
 #include "surface/surface_extractor.hpp"
-#include "values/command_site.hpp"
+#include "values/command_surroundings.hpp"
 #include "values/effort.hpp"
 #include "values/given_names.hpp"
 #include "values/patch_frame.hpp"
@@ -162,7 +162,7 @@ class World {
   StepFault recover();
 
   Scene scene_;
-  CommandSite site_;
+  CommandSurroundings around_;
   WorldOptions options_;
   std::unique_ptr<TaskPool> pool_;
   PatchFrame frame_;

@@ -9,8 +9,8 @@
 
 namespace pelagos {
 
-/// Where the air blows.
-struct AirSite {
+/// What the air blows over.
+struct AirSurroundings {
   PatchFrame frame;          ///< heights of WindLaw::kPaper count from its floor
   double water_level = 0.0;  ///< m, world: mean level, from which heights count
   std::uint64_t seed = 1;    ///< of the disturbance
@@ -39,7 +39,7 @@ class Air {
   Air() = default;  ///< calm; to be read into
   /// @param wind  blows at once
   /// @param time  s, simulation time; the disturbance starts unshifted at this time
-  Air(const AirSite& site, const WindSettings& wind, double time = 0.0);
+  Air(const AirSurroundings& around, const WindSettings& wind, double time = 0.0);
 
   /// From the wind that blows at `time` linearly to `wind` over `ramp_seconds` (<= 0: at once): velocity, amplitude,
   /// length, control factor and the value of the pulse; law and roughness change at once. Velocity and disturbance stay
@@ -69,15 +69,15 @@ class Air {
   [[nodiscard]] Eigen::Vector3d reference(const Moment& moment, const Eigen::Vector3d& local) const;
 
   /// The mean level in local coordinates, m.
-  [[nodiscard]] double local_level() const { return site_.frame.local_height(site_.water_level); }
-  [[nodiscard]] double local_floor() const { return site_.frame.local_height(site_.frame.box.min.z()); }
+  [[nodiscard]] double local_level() const { return around_.frame.local_height(around_.water_level); }
+  [[nodiscard]] double local_floor() const { return around_.frame.local_height(around_.frame.box.min.z()); }
 
   static constexpr double kReferenceHeight = 10.0;  ///< m (paper eq. 34)
   static constexpr double kDensity = 1.293;         ///< kg/m^3 (paper eq. 33)
 
   template <class Self, class Visitor>
   static void visit_fields(Self& self, Visitor& visit) {
-    visit("site", self.site_);
+    visit("around", self.around_);
     visit("offset", self.offset_);
     visit("from", self.from_);
     visit("to", self.to_);
@@ -100,7 +100,7 @@ class Air {
   [[nodiscard]] Eigen::Vector3d jump_of_step() const;
   [[nodiscard]] double pulse_at(const WindSettings& wind, double time) const;
 
-  AirSite site_;
+  AirSurroundings around_;
   std::array<Eigen::Vector3d, 3> offset_{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                                          Eigen::Vector3d::Zero()};  ///< of the noise of each component
   WindSettings from_, to_;

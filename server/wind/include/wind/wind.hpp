@@ -13,8 +13,8 @@
 namespace pelagos {
 
 /// What the laws need to know of the water that the wind blows over.
-struct WindSite {
-  AirSite air;
+struct WindSurroundings {
+  AirSurroundings air;
   double spacing = 0.05;              ///< particle spacing d, m, > 0
   double gravity = kStandardGravity;  ///< m/s^2, >= 0; without gravity the law gust has no time scale and no push
   double rest_density = kUsualWaterDensity;  ///< kg/m^3, > 0
@@ -39,10 +39,10 @@ struct WindSite {
 /// floor take none.
 class Wind {
  public:
-  Wind(const WindSite& site, const WindSettings& settings, double time = 0.0)
-      : site_(site), air_(site.air, settings, time) {}
+  Wind(const WindSurroundings& around, const WindSettings& settings, double time = 0.0)
+      : around_(around), air_(around.air, settings, time) {}
   /// Goes on with air that blew before.
-  Wind(const WindSite& site, const Air& air) : site_(site), air_(air) {}
+  Wind(const WindSurroundings& around, const Air& air) : around_(around), air_(air) {}
 
   /// See Air::set.
   void set(const WindSettings& settings, double time, double ramp_seconds) { air_.set(settings, time, ramp_seconds); }
@@ -73,7 +73,7 @@ class Wind {
   void push_as_printed(TaskPool& pool, std::span<const Float4> position, const Air::Moment& moment,
                        std::span<Float4> velocity) const;
 
-  WindSite site_;
+  WindSurroundings around_;
   Air air_;
   std::vector<Float4> column_;  ///< push at the surface and, in w, the water's surface of each cell; scratch
 };

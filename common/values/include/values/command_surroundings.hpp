@@ -12,18 +12,18 @@
 namespace pelagos {
 
 /// What a scene offers to commands: where they may put things, and on what.
-struct CommandSite {
+struct CommandSurroundings {
   Box tank;                           ///< m, world
   std::vector<std::uint32_t> bodies;  ///< ids
   std::optional<OilModel> oil;        ///< none: the scene has no oil
   double gravity = kStandardGravity;  ///< m/s^2, > 0, of waves
 };
 
-[[nodiscard]] CommandSite command_site(const Scene& scene);
+[[nodiscard]] CommandSurroundings command_surroundings(const Scene& scene);
 
 /// @return what the scene alone tells against the command: places outside the tank, bodies that are not there, oil that
 ///         the scene has not, waves that would break; nothing if it fits. The world may still refuse it for its present
 ///         state.
-[[nodiscard]] std::optional<Misfit> find_misfit(const Command& command, const CommandSite& site);
+[[nodiscard]] std::optional<Misfit> find_misfit(const Command& command, const CommandSurroundings& around);
 
 }  // namespace pelagos

@@ -1,4 +1,4 @@
-#include "values/command_site.hpp"
+#include "values/command_surroundings.hpp"
 
 #include <fmt/format.h>
 
@@ -11,10 +11,10 @@ namespace {
 
 using Fault = std::optional<Misfit>;
 
-Fault find_wrong_body(std::uint32_t body, const CommandSite& site) {
-  if (std::find(site.bodies.begin(), site.bodies.end(), body) != site.bodies.end()) return {};
+Fault find_wrong_body(std::uint32_t body, const CommandSurroundings& around) {
+  if (std::find(around.bodies.begin(), around.bodies.end(), body) != around.bodies.end()) return {};
   std::string allowed;
-  for (const std::uint32_t id : site.bodies) allowed += (allowed.empty() ? "" : ", ") + std::to_string(id);
+  for (const std::uint32_t id : around.bodies) allowed += (allowed.empty() ? "" : ", ") + std::to_string(id);
   return Misfit{"body", fmt::format("the scene has no body {}; allowed: {}", body,
                                     allowed.empty() ? "none, it has no bodies" : allowed)};
 }
@@ -59,61 +59,61 @@ Fault find_boom_outside(const std::vector<Eigen::Vector2d>& line, const Box& tan
 }
 
 /// What works on the film alone.
-Fault find_missing_film(const char* what, const CommandSite& site) {
-  if (site.oil != OilModel::kParticles) return {};
+Fault find_missing_film(const char* what, const CommandSurroundings& around) {
+  if (around.oil != OilModel::kParticles) return {};
   return Misfit{"", fmt::format("{} works on the slick layer; allowed with oil.model SLICK or BOTH in the scene, and "
                                 "here it is PARTICLES",
                                 what)};
 }
 
 struct OilChecker {
-  const CommandSite& site;
+  const CommandSurroundings& around;
 
   Fault operator()(const ReleaseOil& c) const {
-    if (c.body != 0) return find_wrong_body(c.body, site);
-    if (auto fault = find_place_outside("from", c.from, site.tank)) return fault;
-    return find_place_outside("to", c.to, site.tank);
+    if (c.body != 0) return find_wrong_body(c.body, around);
+    if (auto fault = find_place_outside("from", c.from, around.tank)) return fault;
+    return find_place_outside("to", c.to, around.tank);
   }
   Fault operator()(const SpillOil& c) const {
-    if (auto fault = find_missing_film("an instant slick", site)) return fault;
-    return find_place_outside("position", c.position, site.tank);
+    if (auto fault = find_missing_film("an instant slick", around)) return fault;
+    return find_place_outside("position", c.position, around.tank);
   }
   Fault operator()(const SetBoom& c) const {
-    if (auto fault = find_missing_film("a boom", site)) return fault;
-    return find_boom_outside(c.line, site.tank);
+    if (auto fault = find_missing_film("a boom", around)) return fault;
+    return find_boom_outside(c.line, around.tank);
   }
   Fault operator()(const SetSkimmer& c) const {
-    if (auto fault = find_missing_film("a skimmer", site)) return fault;
-    return find_place_outside("position", c.position, site.tank);
+    if (auto fault = find_missing_film("a skimmer", around)) return fault;
+    return find_place_outside("position", c.position, around.tank);
   }
   Fault operator()(const StopRelease&) const { return {}; }
   Fault operator()(const RemoveBoom&) const { return {}; }
   Fault operator()(const RemoveSkimmer&) const { return {}; }
 };
 
-Fault find_wrong_probe(const ProbeSettings& probe, const CommandSite& site) {
-  if (probe.body != 0) return find_wrong_body(probe.body, site);
-  return find_place_outside("position", Eigen::Vector2d(probe.position.head<2>()), site.tank);
+Fault find_wrong_probe(const ProbeSettings& probe, const CommandSurroundings& around) {
+  if (probe.body != 0) return find_wrong_body(probe.body, around);
+  return find_place_outside("position", Eigen::Vector2d(probe.position.head<2>()), around.tank);
 }
 
 }  // namespace
 
-CommandSite command_site(const Scene& scene) {
-  CommandSite site;
-  site.tank = scene.tank;
-  for (const BodySettings& body : scene.bodies) site.bodies.push_back(body.id);
-  if (scene.oil) site.oil = scene.oil->model;
-  if (scene.gravity > 0.0) site.gravity = scene.gravity;
-  return site;
+CommandSurroundings command_surroundings(const Scene& scene) {
+  CommandSurroundings around;
+  around.tank = scene.tank;
+  for (const BodySettings& body : scene.bodies) around.bodies.push_back(body.id);
+  if (scene.oil) around.oil = scene.oil->model;
+  if (scene.gravity > 0.0) around.gravity = scene.gravity;
+  return around;
 }
 
-std::optional<Misfit> find_misfit(const Command& command, const CommandSite& site) {
-  if (const auto* set = std::get_if<SetProbe>(&command)) return find_wrong_probe(set->probe, site);
-  if (const auto* set = std::get_if<SetWaves>(&command)) return find_wave_misfit(set->waves, site.gravity);
+std::optional<Misfit> find_misfit(const Command& command, const CommandSurroundings& around) {
+  if (const auto* set = std::get_if<SetProbe>(&command)) return find_wrong_probe(set->probe, around);
+  if (const auto* set = std::get_if<SetWaves>(&command)) return find_wave_misfit(set->waves, around.gravity);
   const auto* oil = std::get_if<OilCommand>(&command);
   if (oil == nullptr) return {};
-  if (!site.oil) return Misfit{"", "the scene has no oil; needed there: oil { } with its type and model"};
-  return std::visit(OilChecker{site}, *oil);
+  if (!around.oil) return Misfit{"", "the scene has no oil; needed there: oil { } with its type and model"};
+  return std::visit(OilChecker{around}, *oil);
 }
 
 std::string to_string(const Misfit& misfit) {
