@@ -107,7 +107,7 @@ TEST(DescribeCommand, SaysWhatAndHowMuch) {
 
 CommandLog small_log() {
   CommandLog log;
-  log.header = {"1", "avx2", "basin", 7, 100};
+  log.header = {"1", "avx2", "small_patch", 7, 100};
   log.commands = {{3, 0.1, "a", westerly(5.0)}, {3, 0.1, "b", PauseSimulation{}}, {9, 0.3, "c", ClearWind{}}};
   log.end = CommandLogEnd{12, 0xabcdU};
   return log;

@@ -53,7 +53,7 @@ std::vector<std::string> server_arguments(const std::string& scene_file, const s
   return {program("pelagos-server"), "--scene", scene_file, "--domain", own_domain(), "--control", endpoint};
 }
 
-/// A server on a small basin that answers.
+/// A server on a small patch that answers.
 class Server : public testing::Test {
  protected:
   void start(const std::vector<std::string>& more = {}, const std::string& scene_file = scene("still_water")) {
@@ -176,7 +176,7 @@ TEST_F(Server, SaysWhenAPulseNeverCloses) {
 }
 
 TEST_F(Server, PaysWithAccuracyWithinBoundsAndSaysSo) {
-  // No machine makes a frame of this basin in 0.1 ms: the governor must end at its bounds.
+  // No machine makes a frame of this patch in 0.1 ms: the governor must end at its bounds.
   const TemporaryFolder folder;
   const std::string scene_file = (folder.path() / "heavy.scene").string(),
                     report = (folder.path() / "run.json").string();

@@ -136,7 +136,7 @@ TEST(Drift, OilStopsAtClosedSidesOfThePatch) {
   EXPECT_EQ(layer.ledger().left_patch, to_milligrams(3.0)) << "over the side that is open it leaves";
 }
 
-TEST(Drift, ALargeSlickInAClosedBasinLosesNothing) {
+TEST(Drift, ALargeSlickInAClosedPatchLosesNothing) {
   // Spreading, splitting and a boom at the face, all of it at a wall and in a corner.
   SlickSettings settings = plain_settings();
   settings.patch = SlickPatch{{0.0, 0.0}, {40.0, 30.0}, {true, true}};

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSpacing = 0.05;
 
-FluidParameters basin(Scheme scheme, Edge edge_x = Edge::kWall) {
+FluidParameters small_patch(Scheme scheme, Edge edge_x = Edge::kWall) {
   FluidParameters parameters = with_scheme(tank({0.55, 0.5, 1.0}, kSpacing), scheme);
   parameters.edges[0] = edge_x;
   parameters.oil = PhaseParameters{900.0, std::max(0.1, 900.0 * parameters.viscosity)};
@@ -19,7 +19,7 @@ FluidParameters basin(Scheme scheme, Edge edge_x = Edge::kWall) {
 }
 
 WaterScene filled(Scheme scheme, int threads = 2, Edge edge_x = Edge::kWall) {
-  return {threads, basin(scheme, edge_x), lattice({10, 9, 6}, kSpacing, {kSpacing, kSpacing, kSpacing})};
+  return {threads, small_patch(scheme, edge_x), lattice({10, 9, 6}, kSpacing, {kSpacing, kSpacing, kSpacing})};
 }
 
 /// A patch of oil above the water.
@@ -123,7 +123,7 @@ TEST(PopulationDetails, NoneAndAllAreNumbersToo) {
 }
 
 TEST(PopulationDetails, WaterComesWithoutAnyOil) {
-  FluidParameters parameters = basin(Scheme::kCorrected);
+  FluidParameters parameters = small_patch(Scheme::kCorrected);
   parameters.oil.reset();
   WaterScene water(2, parameters, lattice({10, 9, 6}, kSpacing, {kSpacing, kSpacing, kSpacing}));
   const std::vector<Float4> points = patch(0.5F), still(points.size());

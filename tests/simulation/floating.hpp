@@ -10,7 +10,7 @@ namespace pelagos::test {
 inline constexpr SolverKind kAllSolvers[] = {SolverKind::kHybrid, SolverKind::kDfsph, SolverKind::kPbf,
                                              SolverKind::kCorrected};
 
-/// A box of 1.2 x 1.2 x 0.8 m, so flat that it floats upright, in a basin of 3.2 x 3.2 m with 1.2 m of water, d = 0.1
+/// A box of 1.2 x 1.2 x 0.8 m, so flat that it floats upright, in a patch of 3.2 x 3.2 m with 1.2 m of water, d = 0.1
 /// m.
 inline Scene floating_box(double density_ratio, SolverKind solver = SolverKind::kCorrected) {
   Scene scene;

@@ -5,13 +5,13 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "basin.hpp"
+#include "small_patch.hpp"
 #include "simulation/world.hpp"
 
 namespace pelagos {
 namespace {
 
-using test::basin;
+using test::small_patch;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -39,8 +39,8 @@ std::string refusal_of(const Scene& scene) {
   }
 }
 
-Scene basin_with(const std::vector<BodySettings>& bodies) {
-  Scene scene = basin();
+Scene patch_with(const std::vector<BodySettings>& bodies) {
+  Scene scene = small_patch();
   scene.water.settle_steps = 0;
   scene.bodies = bodies;
   return scene;
@@ -72,7 +72,7 @@ class BedFile {
 };
 
 TEST(StaticBodies, AreSampledAmongTheWallsThatNeverMove) {
-  Scene scene = basin_with({make_block(1, {2.5, 2.0, 0.9})}), bare = basin_with({});
+  Scene scene = patch_with({make_block(1, {2.5, 2.0, 0.9})}), bare = patch_with({});
   scene.solver.kind = bare.solver.kind = SolverKind::kHybrid;  // the corrected one meets their distance fields
   World world(scene, {1, nullptr, {}});
   const World empty(bare, {1, nullptr, {}});
@@ -90,7 +90,7 @@ TEST(StaticBodies, AreSampledAmongTheWallsThatNeverMove) {
 }
 
 TEST(StaticBodies, AreMetByTheirDistanceFieldsWithoutSamples) {
-  World world(basin_with({make_block(1, {2.5, 2.0, 0.9})}), {1, nullptr, {}});
+  World world(patch_with({make_block(1, {2.5, 2.0, 0.9})}), {1, nullptr, {}});
   EXPECT_EQ(world.bodies().sample_count(), 0u);
   EXPECT_EQ(world.fluid().static_walls, 0u);
   ASSERT_EQ(world.fluid().solids.size(), 1u);
@@ -105,8 +105,8 @@ TEST(StaticBodies, AreMetByTheirDistanceFieldsWithoutSamples) {
 
 TEST(StaticBodies, StandAsFirmAsMovingOnesAtRest) {
   // The same block as STATIC and as POSE without poses: other lists, the same forces but for rounding.
-  World fixed(basin_with({make_block(1, {2.5, 2.0, 0.9})}), {1, nullptr, {}});
-  World held(basin_with({make_block(1, {2.5, 2.0, 0.9}, BodyDrive::kPose)}), {1, nullptr, {}});
+  World fixed(patch_with({make_block(1, {2.5, 2.0, 0.9})}), {1, nullptr, {}});
+  World held(patch_with({make_block(1, {2.5, 2.0, 0.9}, BodyDrive::kPose)}), {1, nullptr, {}});
   ASSERT_EQ(fixed.fluid().particles.count, held.fluid().particles.count);
   for (int step = 0; step < 10; ++step) {
     const double a = fixed.advance().report.kinetic_energy, b = held.advance().report.kinetic_energy;
@@ -116,7 +116,7 @@ TEST(StaticBodies, StandAsFirmAsMovingOnesAtRest) {
 
 TEST(StaticBodies, SamplesOutOfTheWatersReachAreLeftOut) {
   // A quay of 9 m length, of which 1 m is in the tank of 5 m.
-  Scene scene = basin_with({make_body(1, BoxShape{{9.0, 2.0, 2.0}}, {0.0, 2.0, 1.0}, BodyDrive::kStatic)});
+  Scene scene = patch_with({make_body(1, BoxShape{{9.0, 2.0, 2.0}}, {0.0, 2.0, 1.0}, BodyDrive::kStatic)});
   scene.solver.kind = SolverKind::kHybrid;
   const World world(scene, {1, nullptr, {}});
   for (const Float4& sample : world.bodies().static_samples(PatchFrame{})) EXPECT_GE(sample.x, -0.5F);
@@ -124,7 +124,7 @@ TEST(StaticBodies, SamplesOutOfTheWatersReachAreLeftOut) {
 
 TEST(StaticBodies, AnOpenSeaBedHoldsTheWater) {
   const BedFile bed(6.0);
-  Scene scene = basin_with({bed.body(true)});
+  Scene scene = patch_with({bed.body(true)});
   scene.water.settle_steps = 50;
   World world(scene, {1, nullptr, {}});
   const std::size_t count = world.fluid().particles.count;
@@ -141,43 +141,43 @@ TEST(StaticBodies, AnOpenSeaBedHoldsTheWater) {
 
 TEST(BodyFaults, AClosedMeshIsMeantUnlessTheSceneSaysOpen) {
   const BedFile bed(6.0);
-  EXPECT_THAT(refusal_of(basin_with({bed.body(false)})),
+  EXPECT_THAT(refusal_of(patch_with({bed.body(false)})),
               AllOf(HasSubstr("body 3 (sea bed): "), HasSubstr("open edge: only the face at line "),
                     HasSubstr("says open: true")));
 }
 
 TEST(BodyFaults, ARimMustNotStandInWater) {
   const BedFile bed(3.0);
-  EXPECT_THAT(refusal_of(basin_with({bed.body(true)})),
+  EXPECT_THAT(refusal_of(patch_with({bed.body(true)})),
               AllOf(HasSubstr("rim of its open mesh stands in water"), HasSubstr("at (3, ")));
 }
 
 TEST(BodyFaults, BodiesMustNotStandInOneAnother) {
   const Eigen::Vector3d middle(2.5, 2.0, 1.5);
-  EXPECT_THAT(refusal_of(basin_with({make_block(1, middle, BodyDrive::kPose), make_block(2, middle)})),
+  EXPECT_THAT(refusal_of(patch_with({make_block(1, middle, BodyDrive::kPose), make_block(2, middle)})),
               AllOf(HasSubstr("body 1 (body 1): stands in body 2 (body 2): "), HasSubstr("bodies apart at the start")));
-  EXPECT_EQ(refusal_of(basin_with({make_block(1, middle), make_block(2, middle + Eigen::Vector3d(0.5, 0.0, 0.0))})), "")
+  EXPECT_EQ(refusal_of(patch_with({make_block(1, middle), make_block(2, middle + Eigen::Vector3d(0.5, 0.0, 0.0))})), "")
       << "a tower on a rock";
   EXPECT_THAT(
-      refusal_of(basin_with({make_body(1, SphereShape{0.3}, middle, BodyDrive::kStatic), make_block(2, middle)})),
+      refusal_of(patch_with({make_body(1, SphereShape{0.3}, middle, BodyDrive::kStatic), make_block(2, middle)})),
       HasSubstr("stands in body 2"));
   const Eigen::Vector3d beside(1.0, 0.0, 0.0);
-  EXPECT_EQ(refusal_of(basin_with({make_block(1, middle, BodyDrive::kPose), make_block(2, middle + beside)})), "");
+  EXPECT_EQ(refusal_of(patch_with({make_block(1, middle, BodyDrive::kPose), make_block(2, middle + beside)})), "");
 }
 
 TEST(BodyFaults, ABodyMustBeInTheTank) {
   const BodySettings outside = make_body(1, BoxShape{{1.0, 1.0, 1.0}}, {9.0, 2.0, 1.0}, BodyDrive::kStatic);
-  EXPECT_THAT(refusal_of(basin_with({outside})),
+  EXPECT_THAT(refusal_of(patch_with({outside})),
               AllOf(HasSubstr("outside the tank, at (8.5, 1.5, 0.5) to (9.5, 2.5, 1.5) m"), HasSubstr("(5, 4, 3)")));
 }
 
 TEST(BodyFaults, AThinPlateIsABody) {
-  EXPECT_EQ(refusal_of(basin_with({make_body(1, BoxShape{{1.0, 1.0, 0.001}}, {2.5, 2.0, 2.0}, BodyDrive::kStatic)})),
+  EXPECT_EQ(refusal_of(patch_with({make_body(1, BoxShape{{1.0, 1.0, 0.001}}, {2.5, 2.0, 2.0}, BodyDrive::kStatic)})),
             "");
 }
 
 TEST(World, DescribesShapesToViewers) {
-  const World world(basin_with({make_block(1, {2.5, 2.0, 0.9})}), {1, nullptr, {}});
+  const World world(patch_with({make_block(1, {2.5, 2.0, 0.9})}), {1, nullptr, {}});
   EXPECT_EQ(world.describe().bodies.at(0).mesh_file, "primitive:box:1x1x1");
 }
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "basin.hpp"
 #include "give.hpp"
 #include "simulation/world.hpp"
+#include "small_patch.hpp"
 
 namespace pelagos {
 namespace {
@@ -222,8 +222,8 @@ TEST(CurrentInAChannel, CostsNothingWhereThereIsNone) {
   EXPECT_EQ(walled.advance().report.times.ns[stage], 0);
 }
 
-TEST(CurrentInABasin, MovesWhatDriftsAndNotTheWater) {
-  Scene scene = test::basin();
+TEST(CurrentInAPatch, MovesWhatDriftsAndNotTheWater) {
+  Scene scene = test::small_patch();
   scene.current = easterly(1.0);
   World world(scene, {2, nullptr, {}});
   EXPECT_EQ(mean_speed(world), 0.0);

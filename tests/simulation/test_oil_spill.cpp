@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "give.hpp"
-#include "oily_basin.hpp"
+#include "oily_patch.hpp"
 #include "simulation/world.hpp"
 
 namespace pelagos {
@@ -31,7 +31,7 @@ double largest_density(World& world, double time) {
 }
 
 TEST(OilSpill, ASourceBringsItsRateForItsTime) {
-  World world = make_world(test::oily_basin(OilModel::kParticles));
+  World world = make_world(test::oily_patch(OilModel::kParticles));
   EXPECT_EQ(test::give(world, OilCommand{leak()}), std::nullopt);
   test::run_with_ledger(world, 2.0);
   const OilBudget oil = test::budget_of(world);
@@ -39,18 +39,18 @@ TEST(OilSpill, ASourceBringsItsRateForItsTime) {
   EXPECT_NEAR(to_kilograms(oil.ledger.submerged), 0.5 * test::kOilDensity, 0.05);
   EXPECT_EQ(oil.ledger.released, oil.ledger.submerged);
   EXPECT_NEAR(oil.displaced_water, 0.5 * 1000.0, 1e-6);
-  EXPECT_NEAR(oil.held_back, 0.0, test::kBasinParticle * test::kOilDensity) << "less than a particle";
+  EXPECT_NEAR(oil.held_back, 0.0, test::kParticleVolume * test::kOilDensity) << "less than a particle";
 }
 
 TEST(OilSpill, MakesNoPressureSpike) {
-  World with = make_world(test::oily_basin(OilModel::kParticles)),
-        without = make_world(test::oily_basin(OilModel::kParticles));
+  World with = make_world(test::oily_patch(OilModel::kParticles)),
+        without = make_world(test::oily_patch(OilModel::kParticles));
   ASSERT_EQ(test::give(with, OilCommand{leak()}), std::nullopt);
   EXPECT_LT(largest_density(with, 1.0), largest_density(without, 1.0) + 0.03);
 }
 
 TEST(OilSpill, FilmTakesWhatTheSlickModelReleases) {
-  World world = make_world(test::oily_basin(OilModel::kSlick));
+  World world = make_world(test::oily_patch(OilModel::kSlick));
   ASSERT_EQ(test::give(world, OilCommand{leak()}), std::nullopt);
   test::run_with_ledger(world, 2.0);
   const OilBudget oil = test::budget_of(world);
@@ -62,18 +62,18 @@ TEST(OilSpill, FilmTakesWhatTheSlickModelReleases) {
 }
 
 TEST(OilSpill, OilGoesBetweenParticlesAndFilm) {
-  World world = make_world(test::oily_basin(OilModel::kBoth));
+  World world = make_world(test::oily_patch(OilModel::kBoth));
   ReleaseOil thin = leak();
-  thin.from = thin.to = {2.5, 2.0, 1.1};            // near the surface
-  thin.rate = 3600.0 * 2.0 * test::kBasinParticle;  // two particles a second: never a layer
+  thin.from = thin.to = {2.5, 2.0, 1.1};             // near the surface
+  thin.rate = 3600.0 * 2.0 * test::kParticleVolume;  // two particles a second: never a layer
   ASSERT_EQ(test::give(world, OilCommand{thin}), std::nullopt);
   test::run_with_ledger(world, 3.0);
   EXPECT_GT(test::budget_of(world).ledger.afloat, 0) << "lone particles became film";
-  EXPECT_EQ(test::budget_of(world).ledger.released, 2 * to_milligrams(test::kBasinParticle * test::kOilDensity));
+  EXPECT_EQ(test::budget_of(world).ledger.released, 2 * to_milligrams(test::kParticleVolume * test::kOilDensity));
 }
 
 TEST(OilSpill, SkimmerRecoversAndTellsWhenItIsDry) {
-  World world = make_world(test::oily_basin(OilModel::kSlick));
+  World world = make_world(test::oily_patch(OilModel::kSlick));
   ASSERT_EQ(test::give(world, OilCommand{SetSkimmer{"rig", {2.5, 2.0}, 1.0, 500.0}}), std::nullopt);
   ASSERT_EQ(test::give(world, OilCommand{SpillOil{{2.5, 2.0}, 0.05, 0.4}}), std::nullopt);
   test::run_with_ledger(world, 1.0);
@@ -87,7 +87,7 @@ TEST(OilSpill, SkimmerRecoversAndTellsWhenItIsDry) {
 }
 
 TEST(OilSpill, DriftsWithACurrentThatTheTankCannotFollow) {
-  Scene scene = test::oily_basin(OilModel::kSlick);
+  Scene scene = test::oily_patch(OilModel::kSlick);
   scene.tank_edges = {TankEdge::kMirror, TankEdge::kMirror, TankEdge::kMirror};
   World world = make_world(scene);
   ASSERT_EQ(test::give(world, OilCommand{SpillOil{{1.5, 2.0}, 0.01, 0.3}}), std::nullopt);
@@ -100,14 +100,14 @@ TEST(OilSpill, DriftsWithACurrentThatTheTankCannotFollow) {
     x += static_cast<double>(disc.mass) * static_cast<double>(disc.x);
     mass += static_cast<double>(disc.mass);
   }
-  EXPECT_NEAR(x / mass, 1.5 + 0.5 * 3.0, 0.25) << "the basin's own motion moves it besides";
+  EXPECT_NEAR(x / mass, 1.5 + 0.5 * 3.0, 0.25) << "the patch's own motion moves it besides";
 }
 
 /// Under the wind law that raises a sea at once the water itself runs far faster than 3 % of the wind.
 TEST(OilSpill, DriftsWithThreeHundredthsOfTheWindUnderEveryLaw) {
   for (const WindLaw law : {WindLaw::kGust, WindLaw::kStress}) {
     SCOPED_TRACE(static_cast<int>(law));
-    Scene scene = test::oily_basin(OilModel::kSlick);
+    Scene scene = test::oily_patch(OilModel::kSlick);
     scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kMirror, TankEdge::kMirror};
     scene.wind.emplace();
     scene.wind->law = law;
@@ -135,7 +135,7 @@ std::vector<Eigen::Vector2d> places_of(const World& world) {
 }
 
 TEST(OilSpill, ACurrentStraightOnToAQuayEndsThere) {
-  Scene scene = test::oily_basin(OilModel::kSlick);
+  Scene scene = test::oily_patch(OilModel::kSlick);
   scene.current.emplace();
   scene.current->velocity = {0.6, 0.0, 0.0};
   BodySettings quay;
@@ -155,8 +155,8 @@ TEST(OilSpill, ACurrentStraightOnToAQuayEndsThere) {
   EXPECT_EQ(test::budget_of(world).ledger.left_patch, 0);
 }
 
-TEST(OilSpill, NeverLeavesAClosedBasin) {
-  Scene scene = test::oily_basin(OilModel::kSlick);
+TEST(OilSpill, NeverLeavesAClosedPatch) {
+  Scene scene = test::oily_patch(OilModel::kSlick);
   scene.current.emplace();
   scene.current->velocity = {1.0, 0.6, 0.0};
   World world = make_world(scene);
@@ -169,7 +169,7 @@ TEST(OilSpill, NeverLeavesAClosedBasin) {
 }
 
 TEST(OilSpill, AHullThatMovesPushesOilBeforeIt) {
-  Scene scene = test::oily_basin(OilModel::kSlick);
+  Scene scene = test::oily_patch(OilModel::kSlick);
   BodySettings hull;
   hull.id = 1;
   hull.primitive = BoxShape{{1.0, 1.5, 1.0}};
@@ -195,9 +195,9 @@ TEST(OilSpill, AHullThatMovesPushesOilBeforeIt) {
   EXPECT_EQ(test::budget_of(world).ledger.left_patch, 0);
 }
 
-/// 278 cubic metres a second into a basin of 25: the film takes what finds no room, and no step takes minutes.
+/// 278 cubic metres a second into a patch of 25: the film takes what finds no room, and no step takes minutes.
 TEST(OilSpill, AFloodOfOilEndsInTheFilm) {
-  Scene scene = test::oily_basin(OilModel::kBoth);
+  Scene scene = test::oily_patch(OilModel::kBoth);
   World world = make_world(scene);
   ReleaseOil flood = leak();
   flood.rate = 1e6;
@@ -213,7 +213,7 @@ TEST(OilSpill, TheSameBitsForAnyNumberOfThreads) {
   std::uint64_t hash = 0;
   OilLedger ledger;
   for (const int threads : {1, 3}) {
-    World world = make_world(test::oily_basin(OilModel::kBoth), threads);
+    World world = make_world(test::oily_patch(OilModel::kBoth), threads);
     ASSERT_EQ(test::give(world, OilCommand{leak()}), std::nullopt);
     test::run_with_ledger(world, 1.5);
     if (threads == 1) {
@@ -227,10 +227,10 @@ TEST(OilSpill, TheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(OilSpill, RefusesWhatCannotBe) {
-  World dry = make_world(test::basin());
+  World dry = make_world(test::small_patch());
   EXPECT_THAT(test::give(dry, OilCommand{leak()}), Optional(HasSubstr("the scene has no oil")));
 
-  World world = make_world(test::oily_basin(OilModel::kParticles));
+  World world = make_world(test::oily_patch(OilModel::kParticles));
   ReleaseOil wrong = leak();
   wrong.from.x() = 7.0;
   EXPECT_THAT(test::give(world, OilCommand{wrong}), Optional(AllOf(HasSubstr("from: (7, 2, 0.5) m is outside the tank"),
@@ -250,7 +250,7 @@ TEST(OilSpill, RefusesWhatCannotBe) {
 }
 
 TEST(OilSpill, ASourceWithoutAnEndStopsAtTheBound) {
-  Scene scene = test::oily_basin(OilModel::kParticles);
+  Scene scene = test::oily_patch(OilModel::kParticles);
   scene.oil->most_particles = 10;
   World world = make_world(scene);
   ReleaseOil endless = leak();
@@ -263,7 +263,7 @@ TEST(OilSpill, ASourceWithoutAnEndStopsAtTheBound) {
 
 TEST(OilSpill, NoOilNoCost) {
   static std::int64_t tick = 0;
-  World world(test::basin(), {1, [] { return ++tick; }, {}});
+  World world(test::small_patch(), {1, [] { return ++tick; }, {}});
   EXPECT_EQ(world.advance().report.times.ns[static_cast<std::size_t>(Stage::kOil)], 0);
   EXPECT_FALSE(world.spill());
 }

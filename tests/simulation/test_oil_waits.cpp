@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "give.hpp"
-#include "oily_basin.hpp"
+#include "oily_patch.hpp"
 #include "values/oil_limits.hpp"
 #include "world_access.hpp"
 
@@ -24,7 +24,7 @@ ReleaseOil source_at(double x, double y, double z) {
 }
 
 TEST(OilWaits, InTheAirAndIsCountedWhenTheSourceEnds) {
-  World world(test::oily_basin(OilModel::kParticles), {1, nullptr, {}});
+  World world(test::oily_patch(OilModel::kParticles), {1, nullptr, {}});
   ReleaseOil high = source_at(2.5, 2.0, 2.9);  // farther above the water than oil falls: four spacings
   high.duration = 2.0;
   ASSERT_EQ(test::give(world, OilCommand{high}), std::nullopt);
@@ -33,7 +33,7 @@ TEST(OilWaits, InTheAirAndIsCountedWhenTheSourceEnds) {
   const SourceStatus source = test::budget_of(world).sources[0];
   EXPECT_EQ(source.name, "leak");
   EXPECT_EQ(source.wait, SourceWait::kNoWater);
-  EXPECT_NEAR(source.waiting, 1.9 - test::kBasinParticle / 0.1, 0.05) << "since the first particle was due";
+  EXPECT_NEAR(source.waiting, 1.9 - test::kParticleVolume / 0.1, 0.05) << "since the first particle was due";
   EXPECT_NEAR(source.pending, 0.19 * test::kOilDensity, 1.0);
   test::run_with_ledger(world, 2.1);
   EXPECT_TRUE(test::budget_of(world).sources.empty());
@@ -42,7 +42,7 @@ TEST(OilWaits, InTheAirAndIsCountedWhenTheSourceEnds) {
 }
 
 TEST(OilWaits, AtTheBoundOnParticles) {
-  Scene scene = test::oily_basin(OilModel::kParticles);
+  Scene scene = test::oily_patch(OilModel::kParticles);
   scene.oil->most_particles = 3;
   World world(scene, {1, nullptr, {}});
   ASSERT_EQ(test::give(world, OilCommand{source_at(2.5, 2.0, 0.5)}), std::nullopt);
@@ -54,7 +54,7 @@ TEST(OilWaits, AtTheBoundOnParticles) {
 }
 
 TEST(OilWaits, NotAtTheBoundWhereThereIsAFilm) {
-  Scene scene = test::oily_basin(OilModel::kBoth);
+  Scene scene = test::oily_patch(OilModel::kBoth);
   scene.oil->most_particles = 3;
   World world(scene, {1, nullptr, {}});
   ASSERT_EQ(test::give(world, OilCommand{source_at(2.5, 2.0, 0.5)}), std::nullopt);
@@ -66,10 +66,10 @@ TEST(OilWaits, NotAtTheBoundWhereThereIsAFilm) {
 }
 
 TEST(OilWaits, OnDryGroundUntilTheWaterComes) {
-  Scene scene = test::basin();
+  Scene scene = test::small_patch();
   scene.tank.max.x() = 10.0;
   scene.water.settle_steps = 0;  // 5 m of water begin to run out over 5 m of dry floor
-  World world(test::oily_basin(OilModel::kSlick, scene), {1, nullptr, {}});
+  World world(test::oily_patch(OilModel::kSlick, scene), {1, nullptr, {}});
   ASSERT_EQ(test::give(world, OilCommand{source_at(9.5, 2.0, 0.2)}), std::nullopt);
   test::run_with_ledger(world, 0.6);
   EXPECT_EQ(test::budget_of(world).sources[0].wait, SourceWait::kNoWater);
@@ -80,7 +80,7 @@ TEST(OilWaits, OnDryGroundUntilTheWaterComes) {
 }
 
 TEST(OilWaits, ASourceThatIsStoppedBringsOutWhatHasFlowed) {
-  World world(test::oily_basin(OilModel::kSlick), {1, nullptr, {}});
+  World world(test::oily_patch(OilModel::kSlick), {1, nullptr, {}});
   ASSERT_EQ(test::give(world, OilCommand{source_at(2.5, 2.0, 0.5)}), std::nullopt);
   test::run_with_ledger(world, 0.8);
   const double time = world.time();
@@ -93,7 +93,7 @@ TEST(OilWaits, ASourceThatIsStoppedBringsOutWhatHasFlowed) {
 }
 
 TEST(OilWaits, NotForOneSourceTooMany) {
-  World world(test::oily_basin(OilModel::kSlick), {1, nullptr, {}});
+  World world(test::oily_patch(OilModel::kSlick), {1, nullptr, {}});
   ReleaseOil source = source_at(2.5, 2.0, 0.5);
   for (std::size_t i = 0; i < kMostReleases; ++i) {
     source.name = "source " + std::to_string(i);
@@ -107,7 +107,7 @@ TEST(OilWaits, NotForOneSourceTooMany) {
 
 TEST(OilWaits, NotInAHullThatIsNoWiderThanItsReach) {
   const test::CubeFile cube;
-  World world(test::oily_basin(OilModel::kParticles, test::basin_with_cube(cube)), {1, nullptr, {}});
+  World world(test::oily_patch(OilModel::kParticles, test::patch_with_cube(cube)), {1, nullptr, {}});
   EXPECT_THAT(test::give(world, OilCommand{source_at(2.5, 2.0, 0.9)}),
               Optional(HasSubstr("from: (2.5, 2, 0.9) m is inside a hull")));
   ReleaseOil breach = source_at(0.0, 0.0, -0.2);
@@ -119,7 +119,7 @@ TEST(OilWaits, NotInAHullThatIsNoWiderThanItsReach) {
 
 /// Oil in all its places: particles, film, held by a boom, skimmed, on its way out of two sources.
 World busy_world() {
-  Scene scene = test::oily_basin(OilModel::kBoth);
+  Scene scene = test::oily_patch(OilModel::kBoth);
   scene.on_fault = FaultPolicy::kRestore;
   scene.oil->evaporation = scene.oil->emulsification = true;
   World world(scene, {1, nullptr, {}});

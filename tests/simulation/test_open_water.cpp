@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "basin.hpp"
 #include "simulation/open_water.hpp"
+#include "small_patch.hpp"
 
 namespace pelagos {
 namespace {
@@ -14,7 +14,7 @@ constexpr double kSpacing = 0.4, kClearance = 0.25 * kSpacing;
 
 bool everywhere(const Eigen::Vector2d&) { return true; }
 
-/// Bodies in a closed basin of 40 x 20 m about the origin, as oil meets them at z = 0.
+/// Bodies in a closed patch of 40 x 20 m about the origin, as oil meets them at z = 0.
 class OpenWaterTest : public testing::Test {
  protected:
   BodySettings& add(const Primitive& shape, const Eigen::Vector2d& place, double turned_deg = 0.0) {
@@ -32,13 +32,13 @@ class OpenWaterTest : public testing::Test {
     std::vector<std::string> faults;
     bodies_ = Bodies(pool_, scene_, 2.0 * kSpacing, faults);
     EXPECT_TRUE(faults.empty()) << faults.front();
-    return water_.emplace(bodies_, basin_, std::array{0.0, 0.0}, kSpacing);
+    return water_.emplace(bodies_, patch_, std::array{0.0, 0.0}, kSpacing);
   }
 
   TaskPool pool_{1};
   Scene scene_;
   Bodies bodies_;
-  SlickPatch basin_{{-20, -10}, {20, 10}, {true, true}};
+  SlickPatch patch_{{-20, -10}, {20, 10}, {true, true}};
   std::optional<OpenWater> water_;
 };
 
@@ -61,7 +61,7 @@ TEST_F(OpenWaterTest, OilStopsStraightAtAWallAndSlidesAlongItByItsWayAlone) {
 }
 
 TEST_F(OpenWaterTest, OilStaysInACornerAndGoesPastNoThinWall) {
-  add(BoxShape{{0.2, 30.0, 2.0}}, {5.0, 0.0});  // across the basin, thinner than a spacing
+  add(BoxShape{{0.2, 30.0, 2.0}}, {5.0, 0.0});  // across the patch, thinner than a spacing
   const OpenWater& open = water();
   const Eigen::Vector2d corner(5.0 - 0.1 - kClearance, 10.0);
   EXPECT_LT((open.go({4.0, 9.5}, {7.0, 12.0}) - corner).norm(), 1e-6);

@@ -5,8 +5,8 @@
 
 #include <limits>
 
-#include "basin.hpp"
 #include "simulation/world.hpp"
+#include "small_patch.hpp"
 #include "surface/water_columns.hpp"
 #include "world_access.hpp"
 
@@ -17,8 +17,8 @@ using testing::HasSubstr;
 using testing::Optional;
 
 /// Water 2 m deep, d = 0.25 m.
-Scene deep_basin() {
-  Scene scene = test::basin();
+Scene deep_patch() {
+  Scene scene = test::small_patch();
   scene.water.blocks[0].max.z() = 2.0;
   return scene;
 }
@@ -38,7 +38,7 @@ ProbeReading read_one(const World& world) {
 }
 
 TEST(Probes, StillWaterReadsItsVolumeOverItsArea) {
-  Scene scene = deep_basin();
+  Scene scene = deep_patch();
   scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kPeriodic, TankEdge::kMirror};  // no walls that take room
   scene.probes = {probe_at(2.5, 2.0)};
   const World world(scene, {1, nullptr, {}});
@@ -51,7 +51,7 @@ TEST(Probes, StillWaterReadsItsVolumeOverItsArea) {
 }
 
 TEST(Probes, FollowASlopeAndItsNormal) {
-  Scene scene = deep_basin();
+  Scene scene = deep_patch();
   scene.probes = {probe_at(2.5, 2.0)};
   World world(scene, {1, nullptr, {}});
   const ProbeReading before = read_one(world);
@@ -64,7 +64,7 @@ TEST(Probes, FollowASlopeAndItsNormal) {
 }
 
 TEST(Probes, ReadTheVelocityAtTheSurfaceOrWhereTheyAre) {
-  Scene scene = deep_basin();
+  Scene scene = deep_patch();
   scene.probes = {probe_at(2.5, 2.0, 1), probe_at(2.5, 2.0, 2), probe_at(2.5, 2.0, 3)};
   scene.probes[1].at_surface = scene.probes[2].at_surface = false;
   scene.probes[1].position.z() = 1.0;
@@ -82,7 +82,7 @@ TEST(Probes, ReadTheVelocityAtTheSurfaceOrWhereTheyAre) {
 }
 
 TEST(Probes, ReadTheWindWhereTheyAreAndNothingWithoutWind) {
-  Scene scene = deep_basin();
+  Scene scene = deep_patch();
   ProbeSettings mast = probe_at(1.0, 1.0);
   mast.position.z() = 12.0;
   scene.probes = {mast};
@@ -98,7 +98,7 @@ TEST(Probes, ReadTheWindWhereTheyAreAndNothingWithoutWind) {
 }
 
 TEST(Probes, SayWhereThereIsNoWater) {
-  Scene scene = deep_basin();
+  Scene scene = deep_patch();
   scene.water.blocks[0].max.x() = 2.0;
   scene.water.settle_steps = 0;
   scene.probes = {probe_at(1.0, 2.0, 1), probe_at(4.0, 2.0, 2)};
@@ -108,7 +108,7 @@ TEST(Probes, SayWhereThereIsNoWater) {
 }
 
 TEST(Probes, PlacesFarAwayOrNowhereAreDryAndCostNothing) {
-  const World world(deep_basin(), {1, nullptr, {}});
+  const World world(deep_patch(), {1, nullptr, {}});
   const Eigen::Vector2d middle = (Eigen::Vector3d(2.5, 2.0, 0.0) - world.patch().origin).head<2>();
   const double nowhere = std::numeric_limits<double>::quiet_NaN();
   const std::vector<SurfacePlace> places{{middle, {}}, {{9e4, -9e4}, {}}, {{nowhere, 0.0}, {}}};
@@ -121,7 +121,7 @@ TEST(Probes, PlacesFarAwayOrNowhereAreDryAndCostNothing) {
 
 TEST(Probes, GoWithTheirBody) {
   const test::CubeFile cube;
-  Scene scene = test::basin_with_cube(cube);
+  Scene scene = test::patch_with_cube(cube);
   scene.bodies[0].orientation = Eigen::AngleAxisd(EIGEN_PI / 2, Eigen::Vector3d::UnitZ());  // forward is north
   scene.probes = {probe_at(1.25, 0.0)};
   scene.probes[0].body = 1;
@@ -133,7 +133,7 @@ TEST(Probes, GoWithTheirBody) {
 }
 
 TEST(Probes, AreAddedReplacedAndRemovedByCommands) {
-  World world(test::basin(), {1, nullptr, {}});
+  World world(test::small_patch(), {1, nullptr, {}});
   EXPECT_TRUE(world.read_probes().empty());
   EXPECT_EQ(test::give(world, SetProbe{probe_at(1.0, 1.0, 7)}), std::nullopt);
   EXPECT_EQ(test::give(world, SetProbe{probe_at(2.0, 1.0, 7)}), std::nullopt);
@@ -149,7 +149,7 @@ TEST(Probes, AreAddedReplacedAndRemovedByCommands) {
 }
 
 TEST(Probes, AreRefusedWhereTheyCannotBe) {
-  World world(test::basin(), {1, nullptr, {}});
+  World world(test::small_patch(), {1, nullptr, {}});
   ProbeSettings on_nobody = probe_at(1.0, 1.0);
   on_nobody.body = 9;
   EXPECT_THAT(test::give(world, SetProbe{on_nobody}), Optional(HasSubstr("no body 9; allowed: ")));

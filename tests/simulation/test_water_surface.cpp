@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "basin.hpp"
 #include "simulation/world.hpp"
+#include "small_patch.hpp"
 #include "waves/sea_state.hpp"
 #include "waves/splitmix.hpp"
 #include "world_access.hpp"
@@ -18,7 +18,7 @@ namespace {
 class WaterSurfaceTest : public testing::Test {
  protected:
   static Scene scene() {
-    Scene scene = test::basin();
+    Scene scene = test::small_patch();
     scene.tank = {{0, 0, 0}, {16, 12, 4}};
     scene.water.blocks = {{{0, 0, 0}, {16, 12, 2}}};
     scene.water.settle_steps = 20;
@@ -131,7 +131,7 @@ TEST_F(WaterSurfaceTest, HasTheSameBitsForAnyNumberOfThreads) {
 
 TEST(WaterSurface, ProbesThatABodyCarriesOutsideTheTankReadTheFarSea) {
   const test::CubeFile cube;
-  Scene scene = test::basin_with_cube(cube);
+  Scene scene = test::patch_with_cube(cube);
   scene.far_sea = {6, 60.0, 24};
   ProbeSettings probe;
   probe.id = 1;

@@ -6,13 +6,13 @@
 
 #include <cmath>
 
-#include "basin.hpp"
+#include "small_patch.hpp"
 
 namespace pelagos {
 namespace {
 
-using test::basin;
-using test::basin_with_cube;
+using test::small_patch;
+using test::patch_with_cube;
 using test::CubeFile;
 
 WindSettings breeze() {
@@ -33,12 +33,12 @@ BodyPose pose_at(double time, double x, double speed) {
 }
 
 TEST(World, RestsAtTheLevelItStates) {
-  const World world(basin(), {1, nullptr, {}});
+  const World world(small_patch(), {1, nullptr, {}});
   // Five layers, the lowest half a spacing above the floor: the level stands half a spacing above the highest.
   EXPECT_NEAR(world.water_level(), 5 * 0.25, 1e-12);
   EXPECT_EQ(world.fluid().particles.count, 1600U);
   // Over a sampled floor there are four, the lowest a spacing above it.
-  Scene sampled = basin();
+  Scene sampled = small_patch();
   sampled.solver.kind = SolverKind::kHybrid;
   const World over_samples(sampled, {1, nullptr, {}});
   EXPECT_NEAR(over_samples.water_level(), 4.5 * 0.25, 1e-12);
@@ -48,7 +48,7 @@ TEST(World, RestsAtTheLevelItStates) {
 /// A sea that is paused before its first step is shown too.
 TEST(World, IsSeenBeforeItsFirstStep) {
   const CubeFile cube;
-  Scene scene = basin_with_cube(cube);
+  Scene scene = patch_with_cube(cube);
   for (const BodyDrive drive : {BodyDrive::kPose, BodyDrive::kFree})
     for (const int settle_steps : {0, 1}) {
       scene.bodies[0].drive = drive;
@@ -66,7 +66,7 @@ TEST(World, IsSeenBeforeItsFirstStep) {
 
 TEST(World, SameBitsForOneTwoAndSevenThreads) {
   const CubeFile cube;
-  Scene scene = basin_with_cube(cube);
+  Scene scene = patch_with_cube(cube);
   scene.wind = breeze();
   World one(scene, {1, nullptr, {}}), two(scene, {2, nullptr, {}}), seven(scene, {7, nullptr, {}});
   Snapshot a, b;
@@ -96,7 +96,7 @@ TEST(World, SameBitsForOneTwoAndSevenThreads) {
 }
 
 TEST(World, FramesComeAtExactMultiples) {
-  Scene scene = basin();
+  Scene scene = small_patch();
   scene.frame_interval = 0.04;
   World world(scene, {2, nullptr, {}});
   std::uint64_t frames = 0;
@@ -109,7 +109,7 @@ TEST(World, FramesComeAtExactMultiples) {
 
 TEST(World, WaterMakesRoomForAHullAndStaysOutOfIt) {
   const CubeFile cube;
-  World world(basin_with_cube(cube), {2, nullptr, {}});
+  World world(patch_with_cube(cube), {2, nullptr, {}});
   EXPECT_LT(world.fluid().particles.count, 1600U);
   const std::size_t count = world.fluid().particles.count;
   for (int step = 0; step < 120; ++step) {
@@ -129,7 +129,7 @@ TEST(World, WaterMakesRoomForAHullAndStaysOutOfIt) {
 
 TEST(World, AJumpingBodyLosesNoWaterAndTrapsNone) {
   const CubeFile cube;
-  World world(basin_with_cube(cube), {2, nullptr, {}});
+  World world(patch_with_cube(cube), {2, nullptr, {}});
   const std::size_t count = world.fluid().particles.count;
   test::give(world, pose_at(0.0, 1.0, 0.0));
   for (int step = 0; step < 40; ++step) world.advance();
@@ -142,12 +142,12 @@ TEST(World, AJumpingBodyLosesNoWaterAndTrapsNone) {
     ASSERT_EQ(made.report.outside, 0U);
   }
   EXPECT_EQ(world.fluid().particles.count, count);
-  // No explosion: nothing flies faster than a fall through the basin's height of 3 m.
+  // No explosion: nothing flies faster than a fall through the patch's height of 3 m.
   EXPECT_LT(fastest, std::sqrt(2.0 * 9.81 * 3.0));
 }
 
 TEST(World, NoWindCostsNothingAndWindCarriesTheWater) {
-  World calm(basin(), {1,
+  World calm(small_patch(), {1,
                        [] {
                          static std::int64_t tick = 0;
                          return ++tick;
@@ -156,7 +156,7 @@ TEST(World, NoWindCostsNothingAndWindCarriesTheWater) {
   EXPECT_EQ(calm.advance().report.times.ns[static_cast<std::size_t>(Stage::kWind)], 0);
   EXPECT_FALSE(calm.wind().has_value());
 
-  Scene scene = basin();
+  Scene scene = small_patch();
   scene.wind = breeze();
   World windy(scene, {1, nullptr, {}});
   double drift = 0.0;
@@ -169,7 +169,7 @@ TEST(World, NoWindCostsNothingAndWindCarriesTheWater) {
 /// Kinetic energy of the mean flow that a steady wind has raised in a channel without ends after 2 s, J, with steps of
 /// at most `step`. What single particles move besides is the method's noise and no gain.
 double energy_gained(WindLaw law, double step) {
-  Scene scene = basin();
+  Scene scene = small_patch();
   scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kPeriodic, TankEdge::kMirror};
   scene.water.settle_steps = 0;
   scene.time_step.max_step = step;
@@ -201,7 +201,7 @@ TEST(World, ThePapersWindGivesMoreToShorterSteps) {
 }
 
 TEST(World, TellsTheAirThatPushesItsWater) {
-  Scene scene = basin();
+  Scene scene = small_patch();
   World world(scene, {1, nullptr, {}});
   EXPECT_FALSE(world.air());
   WindSettings wind = breeze();
@@ -214,7 +214,7 @@ TEST(World, TellsTheAirThatPushesItsWater) {
 }
 
 TEST(World, RefusesABodyWithoutAMesh) {
-  Scene scene = basin();
+  Scene scene = small_patch();
   BodySettings body;
   body.id = 4;
   body.name = "ghost";
@@ -230,7 +230,7 @@ TEST(World, RefusesABodyWithoutAMesh) {
 
 TEST(World, AcceptsPosesOfItsBodiesOnly) {
   const CubeFile cube;
-  World world(basin_with_cube(cube), {1, nullptr, {}});
+  World world(patch_with_cube(cube), {1, nullptr, {}});
   const auto hash = [&world] { return hash_fields(world.state().bodies); };
   const std::uint64_t still = hash();
   test::give(world, pose_at(0.0, 2.5, 0.0));

@@ -5,16 +5,16 @@
 #include <cstring>
 #include <limits>
 
-#include "basin.hpp"
+#include "small_patch.hpp"
 #include "world_access.hpp"
 
 namespace pelagos {
 
 namespace {
 
-using test::basin;
-using test::basin_with_cube;
 using test::CubeFile;
+using test::patch_with_cube;
+using test::small_patch;
 
 constexpr std::size_t kVictim = 200;
 
@@ -44,7 +44,7 @@ void expect_same_bits(const FluidParticles& a, const FluidParticles& b) {
 }
 
 TEST(WorldFaults, StopEndsInTheStepOfTheFault) {
-  World world(basin(), {2, nullptr, {}});
+  World world(small_patch(), {2, nullptr, {}});
   for (int step = 0; step < 5; ++step) ASSERT_EQ(world.advance().fault, StepFault::kNone);
   break_a_particle(world);
   const WorldStep made = world.advance();
@@ -54,7 +54,7 @@ TEST(WorldFaults, StopEndsInTheStepOfTheFault) {
 
 TEST(WorldFaults, RestoreBringsTheLastGoodStateBackBitByBit) {
   const CubeFile cube;
-  World world(restoring(basin_with_cube(cube)), {2, nullptr, {}});
+  World world(restoring(patch_with_cube(cube)), {2, nullptr, {}});
   for (int step = 0; step < 5; ++step) ASSERT_EQ(world.advance().fault, StepFault::kNone);
   const FluidParticles good = world.fluid().particles;
   const double time = world.time();
@@ -72,7 +72,7 @@ TEST(WorldFaults, RestoreBringsTheLastGoodStateBackBitByBit) {
 }
 
 TEST(WorldFaults, RestoreGoesOnWithSmallerStepsForASecond) {
-  World world(restoring(basin()), {2, nullptr, {}});
+  World world(restoring(small_patch()), {2, nullptr, {}});
   const std::size_t count = world.fluid().particles.count;
   for (int step = 0; step < 5; ++step) world.advance();
   break_a_particle(world);
@@ -91,7 +91,7 @@ TEST(WorldFaults, RestoreGoesOnWithSmallerStepsForASecond) {
 }
 
 TEST(WorldFaults, TheThirdFaultInARowIsFatal) {
-  World world(restoring(basin()), {1, nullptr, {}});
+  World world(restoring(small_patch()), {1, nullptr, {}});
   world.advance();
   for (const StepFault expected : {StepFault::kRestored, StepFault::kRestored, StepFault::kFatal}) {
     break_a_particle(world);
@@ -100,7 +100,7 @@ TEST(WorldFaults, TheThirdFaultInARowIsFatal) {
 }
 
 TEST(WorldFaults, ASecondWithoutFaultsEndsTheRow) {
-  World world(restoring(basin()), {1, nullptr, {}});
+  World world(restoring(small_patch()), {1, nullptr, {}});
   world.advance();
   for (int fault = 0; fault < 4; ++fault) {
     break_a_particle(world);
@@ -111,7 +111,7 @@ TEST(WorldFaults, ASecondWithoutFaultsEndsTheRow) {
 }
 
 TEST(WorldFaults, AFaultInTheFirstStepComesBackToTheStart) {
-  World world(restoring(basin()), {1, nullptr, {}});
+  World world(restoring(small_patch()), {1, nullptr, {}});
   const FluidParticles start = world.fluid().particles;
   break_a_particle(world);
   ASSERT_EQ(world.advance().fault, StepFault::kRestored);
@@ -122,7 +122,7 @@ TEST(WorldFaults, AFaultInTheFirstStepComesBackToTheStart) {
 class WorldFaultsOfSolver : public testing::TestWithParam<SolverKind> {};
 
 TEST_P(WorldFaultsOfSolver, GoOnFinite) {
-  Scene scene = restoring(basin());
+  Scene scene = restoring(small_patch());
   scene.solver.kind = GetParam();
   scene.tank_edges[0] = TankEdge::kPeriodic;  // images are made anew too
   World world(scene, {2, nullptr, {}});

@@ -1,21 +1,21 @@
 #include <gtest/gtest.h>
 
-#include "basin.hpp"
+#include "small_patch.hpp"
 #include "simulation/fluid_setup.hpp"
 #include "simulation/world.hpp"
 
 namespace pelagos {
 namespace {
 
-/// The basin with a slick of 10 x 10 x 2 particles on it.
-Scene basin_with_oil() {
-  Scene scene = test::basin();
+/// The patch with a slick of 10 x 10 x 2 particles on it.
+Scene patch_with_oil() {
+  Scene scene = test::small_patch();
   scene.oil = OilSettings{*find_oil("diesel"), {{{1.25, 1.0, 1.25}, {3.75, 3.5, 1.75}}}};
   return scene;
 }
 
 TEST(WorldOil, StartsWithItsBlocksAndPropertiesAndPublishesThePhase) {
-  World world(basin_with_oil(), {2, nullptr, {}});
+  World world(patch_with_oil(), {2, nullptr, {}});
   EXPECT_EQ(world.fluid().particles.count, 1600U + 200U);
   ASSERT_TRUE(world.fluid().parameters.oil);
   EXPECT_EQ(world.fluid().parameters.oil->rest_density, find_oil("diesel")->density);
@@ -35,7 +35,7 @@ TEST(WorldOil, StartsWithItsBlocksAndPropertiesAndPublishesThePhase) {
 }
 
 TEST(WorldOil, IsAtLeastAsViscousAsWaterThatHasToBe) {
-  Scene scene = basin_with_oil();
+  Scene scene = patch_with_oil();
   scene.solver = default_solver(SolverKind::kHybrid);
   const FluidParameters parameters = fluid_parameters(scene, patch_frame(scene));
   EXPECT_GT(parameters.viscosity, 0.0);
@@ -45,7 +45,7 @@ TEST(WorldOil, IsAtLeastAsViscousAsWaterThatHasToBe) {
 }
 
 TEST(WorldOil, AnEntryWithoutBlocksChangesNoBit) {
-  Scene scene = test::basin();
+  Scene scene = test::small_patch();
   World without(scene, {1, nullptr, {}});
   scene.oil = OilSettings{*find_oil("bunker C"), {}};
   World with(scene, {1, nullptr, {}});

@@ -2,22 +2,22 @@
 
 #include <gmock/gmock.h>
 
-#include "basin.hpp"
+#include "small_patch.hpp"
 #include "give.hpp"
 #include "simulation/world.hpp"
 
 namespace pelagos {
 namespace {
 
-using test::basin;
-using test::basin_with_cube;
+using test::small_patch;
+using test::patch_with_cube;
 using test::CubeFile;
 using testing::HasSubstr;
 
 class WorldSupport : public testing::TestWithParam<double> {};
 
-TEST_P(WorldSupport, StillWaterStaysInItsBasin) {
-  Scene scene = basin();
+TEST_P(WorldSupport, StillWaterStaysInItsPatch) {
+  Scene scene = small_patch();
   scene.support_radius = GetParam();
   World world(scene, {2, nullptr, {}});
   EXPECT_EQ(world.fluid().parameters.support_radius, GetParam() * scene.particle_spacing);
@@ -35,7 +35,7 @@ TEST_P(WorldSupport, StillWaterStaysInItsBasin) {
 INSTANTIATE_TEST_SUITE_P(Spacings, WorldSupport, testing::Values(1.4, 1.5, 2.0, 2.5));
 
 TEST(WorldEffort, IsTheScenesUntilItIsSet) {
-  Scene scene = basin();
+  Scene scene = small_patch();
   scene.time_step.max_step = 0.004;
   scene.solver.divergence.tolerance = 2e-4;
   World world(scene, {1, nullptr, {}});
@@ -49,7 +49,7 @@ TEST(WorldEffort, IsTheScenesUntilItIsSet) {
 
 TEST(WorldEffort, SameBitsForOneTwoAndSevenThreadsAndOnReplay) {
   // What a governor decided at which step, played again.
-  World one(basin(), {1, nullptr, {}}), two(basin(), {2, nullptr, {}}), seven(basin(), {7, nullptr, {}});
+  World one(small_patch(), {1, nullptr, {}}), two(small_patch(), {2, nullptr, {}}), seven(small_patch(), {7, nullptr, {}});
   const Effort exact = one.effort();
   for (int step = 0; step < 40; ++step) {
     for (World* world : {&one, &two, &seven}) {
@@ -66,7 +66,7 @@ TEST(WorldEffort, SameBitsForOneTwoAndSevenThreadsAndOnReplay) {
 }
 
 TEST(WorldEffort, AToleranceOutOfReachIsReportedInEveryStep) {
-  Scene scene = basin();
+  Scene scene = small_patch();
   scene.solver.kind = SolverKind::kHybrid;  // water at rest between mirrors needs hardly any iteration
   scene.solver.divergence = {1e-6, 2, 3};
   World world(scene, {1, nullptr, {}});
@@ -80,7 +80,7 @@ TEST(WorldEffort, AToleranceOutOfReachIsReportedInEveryStep) {
 
 TEST(WorldEdges, RefusesABodyNearAPeriodicFace) {
   const CubeFile cube;  // 1 m, at (2.5, 2, 0.9) in a tank of 5 x 4 m; the support radius is 0.5 m
-  Scene scene = basin_with_cube(cube);
+  Scene scene = patch_with_cube(cube);
   scene.tank_edges[0] = TankEdge::kPeriodic;
   EXPECT_NO_THROW(World(scene, {1, nullptr, {}}));
   scene.bodies[0].position.x() = 1.01;  // its face at 0.51
@@ -97,7 +97,7 @@ TEST(WorldEdges, RefusesABodyNearAPeriodicFace) {
 }
 
 TEST(WorldEdges, PeriodicWaterKeepsItsMotionAndItsParticles) {
-  Scene scene = basin();
+  Scene scene = small_patch();
   scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kMirror, TankEdge::kWall};
   World world(scene, {2, nullptr, {}});
   EXPECT_EQ(world.fluid().particles.count, 20U * 16U * 5U);

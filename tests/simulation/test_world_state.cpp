@@ -8,7 +8,7 @@
 #include "fields/field_hash.hpp"
 #include "floating.hpp"
 #include "give.hpp"
-#include "oily_basin.hpp"
+#include "oily_patch.hpp"
 #include "same_run.hpp"
 #include "world_access.hpp"
 
@@ -16,14 +16,14 @@ namespace pelagos {
 
 namespace {
 
-using test::basin;
 using test::expect_same_run;
 using test::floating_box;
 using test::kAllSolvers;
-using test::oily_basin;
+using test::oily_patch;
+using test::small_patch;
 using ::testing::HasSubstr;
 
-/// Three boxes one on another, which touch from the first step on, on the floor of a shallow basin.
+/// Three boxes one on another, which touch from the first step on, on the floor of a shallow patch.
 Scene stack_of_boxes() {
   Scene scene = floating_box(0.5);
   scene.water.blocks = {{{0, 0, 0}, {3.2, 3.2, 0.5}}};
@@ -50,19 +50,19 @@ WindSettings breeze(double speed) {
   return wind;
 }
 
-TEST(WorldState, GoesOnFromAFile) { expect_same_run(basin(), 7, 20); }
+TEST(WorldState, GoesOnFromAFile) { expect_same_run(small_patch(), 7, 20); }
 
 TEST(WorldState, GoesOnWithEverySolver) {
   for (const SolverKind solver : kAllSolvers) {
     SCOPED_TRACE(static_cast<int>(solver));
-    Scene scene = basin();
+    Scene scene = small_patch();
     scene.solver = default_solver(solver);
     expect_same_run(scene, 5, 12);
   }
 }
 
 TEST(WorldState, GoesOnBetweenMirroredAndPeriodicFaces) {
-  Scene scene = basin();
+  Scene scene = small_patch();
   scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kMirror, TankEdge::kMirror};
   expect_same_run(scene, 5, 12);
 }
@@ -76,7 +76,7 @@ TEST(WorldState, GoesOnWithBodiesInContact) {
 }
 
 TEST(WorldState, GoesOnWithARampingWind) {
-  Scene scene = basin();
+  Scene scene = small_patch();
   scene.wind = breeze(3.0);
   expect_same_run(scene, 9, 25, [](World& world, std::uint64_t step) {
     if (step == 4) static_cast<void>(test::give(world, SetWind{breeze(12.0), 0.8}));
@@ -85,7 +85,7 @@ TEST(WorldState, GoesOnWithARampingWind) {
 }
 
 TEST(WorldState, GoesOnWithAnOilRelease) {
-  const Scene scene = oily_basin(OilModel::kBoth);
+  const Scene scene = oily_patch(OilModel::kBoth);
   expect_same_run(scene, 15, 40, [](World& world, std::uint64_t step) {
     ReleaseOil release;
     release.name = "leak";
@@ -115,7 +115,7 @@ TEST(WorldState, GoesOnWithAnOilRelease) {
 }
 
 TEST(WorldState, GoesOnWithACurrentThatIsSlowedDown) {
-  Scene scene = basin();
+  Scene scene = small_patch();
   scene.tank_edges[0] = TankEdge::kPeriodic;
   scene.current.emplace();
   scene.current->velocity = {0.8, 0.3, 0.0};
@@ -150,7 +150,7 @@ TEST(WorldState, GoesOnWithPosesProbesAndEffort) {
 
 /// A point of recovery is the whole state: what commands did since the last step stays, what the failed step did goes.
 TEST(WorldState, IsWhatARestoredFaultGoesBackTo) {
-  Scene scene = basin();
+  Scene scene = small_patch();
   scene.on_fault = FaultPolicy::kRestore;
   scene.wind = breeze(3.0);
   World world(scene, {1, nullptr, {}});
@@ -170,7 +170,7 @@ TEST(WorldState, IsWhatARestoredFaultGoesBackTo) {
 }
 
 TEST(WorldState, DifferencesNameTheField) {
-  World one(basin(), {1, nullptr, {}}), other(basin(), {1, nullptr, {}});
+  World one(small_patch(), {1, nullptr, {}}), other(small_patch(), {1, nullptr, {}});
   EXPECT_EQ(test::first_difference(one, other), "");
   EXPECT_EQ(hash_fields(one.state()), hash_fields(other.state()));
   static_cast<void>(test::give(other, SetWind{breeze(3.0), 0.0}));
@@ -180,7 +180,7 @@ TEST(WorldState, DifferencesNameTheField) {
 
 class StateFile : public ::testing::Test {
  protected:
-  StateFile() : world_(oily_basin(OilModel::kBoth), {1, nullptr, {}}) {
+  StateFile() : world_(oily_patch(OilModel::kBoth), {1, nullptr, {}}) {
     for (int n = 0; n < 5; ++n) world_.advance();
     file_ = save_state(world_);
   }
@@ -229,13 +229,13 @@ TEST_F(StateFile, ForeignFilesAreRefused) {
 }
 
 TEST_F(StateFile, StatesOfOtherScenesAreRefused) {
-  Scene other = oily_basin(OilModel::kBoth);
+  Scene other = oily_patch(OilModel::kBoth);
   other.name = "harbour";
-  expect_refused(save_state(World(other, {1, nullptr, {}})), "it is of scene harbour; allowed: scene basin");
-  other = oily_basin(OilModel::kBoth);
+  expect_refused(save_state(World(other, {1, nullptr, {}})), "it is of scene harbour; allowed: scene small_patch");
+  other = oily_patch(OilModel::kBoth);
   other.tank.max.x() = 6.0;
   expect_refused(save_state(World(other, {1, nullptr, {}})), "another tank");
-  other = oily_basin(OilModel::kBoth);
+  other = oily_patch(OilModel::kBoth);
   other.particle_spacing = 0.3;
   expect_refused(save_state(World(other, {1, nullptr, {}})), "another tank");
 }

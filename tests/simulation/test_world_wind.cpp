@@ -2,18 +2,18 @@
 
 #include <cmath>
 
-#include "basin.hpp"
 #include "give.hpp"
 #include "simulation/world.hpp"
+#include "small_patch.hpp"
 
 namespace pelagos {
 namespace {
 
-using test::basin;
+using test::small_patch;
 
 /// Gusts of 20 spacings: what the sea samples on its grid and an anemometer at its place then agree within 1 %.
-Scene gusty_basin() {
-  Scene scene = basin();
+Scene gusty_patch() {
+  Scene scene = small_patch();
   scene.water.settle_steps = 0;
   scene.wind.emplace();
   scene.wind->velocity = {9, 4, 0};
@@ -23,7 +23,7 @@ Scene gusty_basin() {
 }
 
 TEST(WorldWind, AnAnemometerReadsTheAirThatPushesTheSea) {
-  const Scene scene = gusty_basin();
+  const Scene scene = gusty_patch();
   World world(scene, {1, nullptr, {}});
   for (int step = 0; step < 20; ++step) world.advance();
   ASSERT_TRUE(world.air());
@@ -49,7 +49,7 @@ TEST(WorldWind, AnAnemometerReadsTheAirThatPushesTheSea) {
 }
 
 TEST(WorldWind, TheAirIsACopyThatGoesOnByItself) {
-  World world(gusty_basin(), {1, nullptr, {}});
+  World world(gusty_patch(), {1, nullptr, {}});
   const Air before = *world.air();
   const Eigen::Vector3d mast(1, 2, world.water_level() + 10.0);
   const Eigen::Vector3d expected = before.velocity_at(mast, 0.3);
@@ -61,7 +61,7 @@ TEST(WorldWind, TheAirIsACopyThatGoesOnByItself) {
 }
 
 TEST(WorldWind, ChangesItsLawWhileItBlows) {
-  World world(gusty_basin(), {1, nullptr, {}});
+  World world(gusty_patch(), {1, nullptr, {}});
   for (const WindLaw law : {WindLaw::kPaper, WindLaw::kStress, WindLaw::kGust}) {
     WindSettings wind = *world.scene().wind;
     wind.law = law;

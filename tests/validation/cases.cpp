@@ -76,7 +76,7 @@ const std::vector<Case>& all_cases() {
        "water overturns where three particles or more stand over a gap of three spacings.",
        "Its figures 8 to 11 and what it says of them.", run_paper_wind},
       {"floating", "Bodies in the water",
-       "Boxes and spheres in a basin between mirrors, where the level follows from the water's volume. Boxes of a "
+       "Boxes and spheres in a patch between mirrors, where the level follows from the water's volume. Boxes of a "
        "fifth, "
        "a half and four fifths of the water's density float for 6 s; a barge is held, upright, heeled and in a "
        "current; a sphere "

@@ -40,11 +40,11 @@ double OpenWater::distance(const Eigen::Vector2d& place, double limit) const {
   return each.empty() ? limit : *std::min_element(each.begin(), each.end());
 }
 
-/// Newton's steps along the slope of the distance, back into the basin after each.
+/// Newton's steps along the slope of the distance, back into the patch after each.
 std::optional<Eigen::Vector2d> OpenWater::push_off(Eigen::Vector2d place, double clearance) const {
   const double limit = 64.0 * spacing_, h = kProbe * spacing_;
   for (int push = 0; push < kPushes; ++push) {
-    place = basin_.keep(place);
+    place = patch_.keep(place);
     const double lack = clearance - distance(place, limit);
     if (lack <= kExact * spacing_) return place;
     Eigen::Vector2d slope;
@@ -59,7 +59,7 @@ std::optional<Eigen::Vector2d> OpenWater::push_off(Eigen::Vector2d place, double
 }
 
 Eigen::Vector2d OpenWater::go(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
-  Eigen::Vector2d place = from, rest = basin_.keep(to) - from;
+  Eigen::Vector2d place = from, rest = patch_.keep(to) - from;
   const double reach = 2.0 * kClearance * spacing_;
   for (int step = 0; step < kMostSubsteps && rest.norm() > 0.0; ++step) {
     const double room = distance(place, reach + rest.norm());
@@ -87,7 +87,7 @@ std::optional<double> OpenWater::length_out(const Eigen::Vector2d& place, const 
   double length = 0.0;
   for (int march = 0; march < kMostMarches && length < most; ++march) {
     const Eigen::Vector2d at = place + length * direction;
-    if (basin_.keep(at) != at) return std::nullopt;
+    if (patch_.keep(at) != at) return std::nullopt;
     distances(at, limit, each);
     double nearest = limit, nearest_other = limit;
     for (std::size_t i = 0; i < each.size(); ++i) {
@@ -116,7 +116,7 @@ std::optional<Eigen::Vector2d> OpenWater::way_out(const Eigen::Vector2d& place, 
   for (const double one : each) within.push_back(one < 0.0 ? 1 : 0);
   constexpr double kStep = 2.0 * std::numbers::pi / kDirections;
   const double first = preferred.isZero(0.0) ? 0.0 : std::atan2(preferred.y(), preferred.x());
-  double best = 2.0 * (basin_.max - basin_.min).norm(), angle = 0.0;
+  double best = 2.0 * (patch_.max - patch_.min).norm(), angle = 0.0;
   bool found = false;
   for (int k = 0; k < kDirections; ++k) {  // the preferred direction first, then by turns to both sides of it
     const double turned = first + ((k + 1) / 2) * (k % 2 == 0 ? 1.0 : -1.0) * kStep;

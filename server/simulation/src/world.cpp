@@ -10,7 +10,7 @@
 #include "mirrored_faces.hpp"
 #include "physics/water_step.hpp"
 #include "scales/scales.hpp"
-#include "simulation/basins.hpp"
+#include "simulation/enclosed_waters.hpp"
 #include "simulation/fluid_setup.hpp"
 #include "version/version.hpp"
 #include "waves/sea_state.hpp"

@@ -13,19 +13,19 @@ namespace pelagos::validation {
 
 namespace {
 
-// A basin between mirrors, so that its floor area and the water's volume are exact and the level follows from them.
-const Eigen::Vector3d kBasin{3.2, 3.2, 3.2};  // m
+// A patch between mirrors, so that its floor area and the water's volume are exact and the level follows from them.
+const Eigen::Vector3d kPatch{3.2, 3.2, 3.2};  // m
 constexpr double kDepth = 1.6, kDeep = 2.4;   // m, the latter for what starts under water
 constexpr double kDraftEnd = 6.0;             // s
 constexpr double kGravity = 9.81, kWater = 1000.0;
 
-Scene basin(const Subject& subject, double depth = kDepth) {
+Scene small_patch(const Subject& subject, double depth = kDepth) {
   Scene scene;
   scene.name = subject.setup;
   scene.particle_spacing = subject.spacing;
-  scene.tank = {Eigen::Vector3d::Zero(), kBasin};
+  scene.tank = {Eigen::Vector3d::Zero(), kPatch};
   scene.tank_edges = {TankEdge::kMirror, TankEdge::kMirror, TankEdge::kMirror};
-  scene.water.blocks = {{Eigen::Vector3d::Zero(), {kBasin.x(), kBasin.y(), depth}}};
+  scene.water.blocks = {{Eigen::Vector3d::Zero(), {kPatch.x(), kPatch.y(), depth}}};
   scene.water.settle_steps = 200;
   if (!choose_solver(subject.solver, scene.solver)) throw std::invalid_argument("no solver " + subject.solver);
   return scene;
@@ -42,7 +42,7 @@ BodySettings body_of(const Primitive& shape, const Eigen::Vector3d& position, do
   return body;
 }
 
-/// One body in the basin, advanced, with the means over a span of time.
+/// One body in the patch, advanced, with the means over a span of time.
 class FloatingRun {
  public:
   FloatingRun(Session& session, const Subject& subject, const Scene& scene, double end)
@@ -82,10 +82,10 @@ class FloatingRun {
 
   /// Where the water stands around the body: what it and the body fill up to there is what there is of both.
   [[nodiscard]] double level() {
-    double low = 0.0, high = kBasin.z();
+    double low = 0.0, high = kPatch.z();
     for (int k = 0; k < 60; ++k) {
       const double middle = 0.5 * (low + high);
-      (kBasin.x() * kBasin.y() * middle - up_to(middle).volume < water() ? low : high) = middle;
+      (kPatch.x() * kPatch.y() * middle - up_to(middle).volume < water() ? low : high) = middle;
     }
     return low;
   }
@@ -112,13 +112,13 @@ const BoxShape kBox{{1.2, 1.2, 0.8}};  // m; so flat that it floats upright at a
 
 /// A box afloat: its draft, and how far it drifts without anything that drives it.
 void run_draft(Session& session, const Subject& subject, double ratio) {
-  Scene scene = basin(subject);
+  Scene scene = small_patch(subject);
   const double height = kBox.size.z();
   scene.bodies = {body_of(kBox, {1.6, 1.6, kDepth + height * (0.5 - ratio)}, ratio * kWater)};
   FloatingRun run(session, subject, scene, kDraftEnd);
   Series series = run.series("draft", "t,draft");
   const double displaced = ratio * kBox.size.prod();
-  const double level = (run.water() + displaced) / (kBasin.x() * kBasin.y());
+  const double level = (run.water() + displaced) / (kPatch.x() * kPatch.y());
   double sum = 0.0, time = 0.0;
   run.advance_to(kDraftEnd, [&](const StepReport& step) {
     const double draft = level - (run.state().position.z() - 0.5 * height);
@@ -153,7 +153,7 @@ HeldLoads held_loads(FloatingRun& run) {
 
 /// A sphere held half-sunk: how deep inside a curved surface its samples have to lie.
 void run_held_sphere(Session& session, const Subject& subject) {
-  Scene scene = basin(subject);
+  Scene scene = small_patch(subject);
   scene.bodies = {body_of(SphereShape{0.8}, {1.6, 1.6, kDepth}, kWater)};
   scene.bodies[0].drive = BodyDrive::kPose;
   FloatingRun run(session, subject, scene, 4.0);
@@ -164,7 +164,7 @@ void run_held_sphere(Session& session, const Subject& subject) {
 
 /// A hull that is held, upright or heeled: the mean force and moment of still water.
 void run_held(Session& session, const Subject& subject, double heel_deg) {
-  Scene scene = basin(subject);
+  Scene scene = small_patch(subject);
   const BoxShape barge{{1.2, 1.2, 1.6}};
   scene.bodies = {body_of(barge, {1.6, 1.6, kDepth - 0.2}, kWater)};
   scene.bodies[0].drive = BodyDrive::kPose;
@@ -191,7 +191,7 @@ FloatingRun& let_go(FloatingRun& run, double seconds) {
 }
 
 Scene sunken_sphere(const Subject& subject, double ratio) {
-  Scene scene = basin(subject, kDeep);
+  Scene scene = small_patch(subject, kDeep);
   scene.bodies = {body_of(SphereShape{0.5}, {1.6, 1.6, 0.5 * kDeep}, ratio * kWater)};
   scene.bodies[0].free_from = 2.0;
   return scene;
@@ -222,13 +222,13 @@ void run_neutral(Session& session, const Subject& subject) {
 /// Half-sunk sphere, let go 0.2 R below where it floats: the first whole oscillation, before walls answer.
 void run_heave(Session& session, const Subject& subject) {
   constexpr double kRadius = 0.5, kDrop = 0.2;
-  Scene scene = basin(subject);
+  Scene scene = small_patch(subject);
   scene.bodies = {body_of(SphereShape{kRadius}, {1.6, 1.6, kDepth - kDrop * kRadius}, 0.5 * kWater)};
   scene.bodies[0].free_from = 2.0;
   FloatingRun run(session, subject, scene, 4.0);
   Series series = run.series("heave", "t,z");
   run.advance_to(2.0);
-  const double level = (run.water() + 0.5 * 4.0 / 3.0 * M_PI * std::pow(kRadius, 3)) / (kBasin.x() * kBasin.y());
+  const double level = (run.water() + 0.5 * 4.0 / 3.0 * M_PI * std::pow(kRadius, 3)) / (kPatch.x() * kPatch.y());
   std::optional<double> crossings[2];
   double before = -1.0, before_time = 2.0, highest = 0.0, lowest_after = 0.0;
   run.advance_to(4.0, [&](const StepReport&) {
@@ -257,7 +257,7 @@ void run_heave(Session& session, const Subject& subject) {
 /// of its cross section.
 void run_current(Session& session, const Subject& subject) {
   constexpr double kSpeed = 0.5;  // m/s
-  Scene scene = basin(subject);
+  Scene scene = small_patch(subject);
   scene.tank.max = {6.4, 4.0, 2.4};
   scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kMirror, TankEdge::kMirror};
   scene.water.blocks[0].max = {6.4, 4.0, kDepth};

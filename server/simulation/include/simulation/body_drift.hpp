@@ -36,7 +36,7 @@ struct DriftForce {
 /// with U the current, w the water's own mean drift, v the body's velocity, s the share of its weight that the water
 /// carries (0 in the air), and W the particles' push, whose mean is over T / 2. |U + w - v| counts up to |U|. In the
 /// mean D = W, so the body's velocity tends to U + w, whatever the drag, and the particles' momentum stays: without
-/// their part of D a body in a narrow basin would stir it so that other drifters were carried otherwise. What of W
+/// their part of D a body in a narrow patch would stir it so that other drifters were carried otherwise. What of W
 /// changes within T / 2, the waves, moves the body by the part c, which grows from 0 to 1 over some 4 T: until then the
 /// mean is not well known. Below 0.1 m/s both fade with |U|, so that a weak current does not change how a body moves.
 /// D follows a measured force, nothing is summed up: a body that a wall stops is pressed on to it by 4 m U / T.

@@ -17,8 +17,8 @@ class OpenWater {
  public:
   /// @param heights    m, world: a place is as near to a body as at the nearer of the two
   /// @param spacing    m, d: oil keeps a quarter of it away from bodies
-  OpenWater(const Bodies& bodies, const SlickPatch& basin, const std::array<double, 2>& heights, double spacing)
-      : bodies_(bodies), basin_(basin), heights_(heights), spacing_(spacing) {}
+  OpenWater(const Bodies& bodies, const SlickPatch& patch, const std::array<double, 2>& heights, double spacing)
+      : bodies_(bodies), patch_(patch), heights_(heights), spacing_(spacing) {}
 
   /// Distance to the nearest body, m, negative inside one; no farther than +-limit.
   [[nodiscard]] double distance(const Eigen::Vector2d& place, double limit) const;
@@ -43,7 +43,7 @@ class OpenWater {
   void distances(const Eigen::Vector2d& place, double limit, std::vector<double>& each) const;
 
   const Bodies& bodies_;
-  const SlickPatch& basin_;
+  const SlickPatch& patch_;
   std::array<double, 2> heights_;
   double spacing_;
 };

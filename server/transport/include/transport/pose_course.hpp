@@ -11,8 +11,8 @@
 
 namespace pelagos {
 
-/// What consecutive poses of one body may do. Lengths grow with the spacing, speeds with its root: a model in a basin
-/// and a ship at sea are held to the same.
+/// What consecutive poses of one body may do. Lengths grow with the spacing, speeds with its root: a model in a towing
+/// tank and a ship at sea are held to the same.
 struct CourseLimits {
   double spacing = 1.0;        ///< m, between particles
   double leap_spacings = 2.5;  ///< beyond what the ship can have moved: further is a leap. A driven body jumps at 5

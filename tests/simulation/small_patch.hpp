@@ -30,10 +30,10 @@ class CubeFile {
   std::filesystem::path path_;
 };
 
-/// 5 x 4 x 1 m of water in a basin, d = 0.25 m: 19 x 15 x 4 = 1140 particles.
-inline Scene basin() {
+/// 5 x 4 x 1 m of water in a patch, d = 0.25 m: 19 x 15 x 4 = 1140 particles.
+inline Scene small_patch() {
   Scene scene;
-  scene.name = "basin";
+  scene.name = "small_patch";
   scene.particle_spacing = 0.25;
   scene.tank = {{0, 0, 0}, {5, 4, 3}};
   scene.water.blocks = {{{0, 0, 0}, {5, 4, 1.25}}};
@@ -41,8 +41,8 @@ inline Scene basin() {
   return scene;
 }
 
-inline Scene basin_with_cube(const CubeFile& cube) {
-  Scene scene = basin();
+inline Scene patch_with_cube(const CubeFile& cube) {
+  Scene scene = small_patch();
   BodySettings body;
   body.id = 1;
   body.name = "cube";

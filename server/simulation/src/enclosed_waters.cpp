@@ -1,9 +1,10 @@
-#include "simulation/basins.hpp"
+#include "simulation/enclosed_waters.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <span>
 
 #include "values/lattice.hpp"
 
@@ -47,7 +48,15 @@ double highest(std::span<const Float4> position, const PatchFrame& frame) {
   return frame.world_height(static_cast<double>(top));
 }
 
-/// Without places where the tank has none or too many.
+/// Whether a particle has room at each place from `first` on.
+void mark_free(const Places& places, const Bodies& bodies, std::size_t first, std::span<std::uint8_t> free) {
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    const Eigen::Vector3d x = places.at(first + k);
+    free[k] = bodies.covers(x, kClearance * places.spacing) || bodies.keeps_dry(x) ? 0 : 1;
+  }
+}
+
+/// Without places where the patch has none or too many.
 Places find_places(TaskPool& pool, const Scene& scene, const Bodies& bodies, double top) {
   Places places;
   const double d = scene.particle_spacing;
@@ -64,10 +73,7 @@ Places find_places(TaskPool& pool, const Scene& scene, const Bodies& bodies, dou
   places.layers = static_cast<std::size_t>(layers);
   places.free.resize(places.layer_size() * places.layers);
   pool.for_each_range(places.free.size(), kPlacesPerBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const Eigen::Vector3d x = places.at(k);
-      places.free[k] = bodies.covers(x, kClearance * d) || bodies.keeps_dry(x) ? 0 : 1;
-    }
+    mark_free(places, bodies, begin, std::span(places.free).subspan(begin, end - begin));
   });
   return places;
 }
@@ -90,22 +96,22 @@ std::vector<std::uint32_t> drain(const Places& places, std::span<const Float4> p
 struct Hollow {
   std::vector<std::size_t> capacity;  ///< places in each layer
   std::size_t places = 0, water = 0;
-  std::vector<std::size_t> basins;  ///< in it, that hold their water
+  std::vector<std::size_t> waters;  ///< the enclosed waters in it, by number
   [[nodiscard]] bool overflows() const { return water > places; }
 };
 
-/// Fills the hollows of a tank layer by layer.
+/// Fills the hollows of the patch layer by layer.
 class Filling {
  public:
   explicit Filling(const Places& places, std::vector<std::uint32_t> bottoms)
       : places_(places), bottoms_(std::move(bottoms)), below_(places.layer_size(), kSolid), here_(below_) {}
 
-  std::vector<Basin> fill() {
+  std::vector<EnclosedWater> fill() {
     for (std::size_t layer = 0; layer < places_.layers; ++layer) add(layer);
     for (std::uint32_t k = 0; k < hollows_.size(); ++k)  // blocks off the lattice may hold a little more than it
       if (root(k) == k && hollows_[k].overflows()) close(hollows_[k]);
-    std::erase_if(basins_, [](const Basin& basin) { return basin.particles == 0; });
-    return basins_;
+    std::erase_if(waters_, [](const EnclosedWater& water) { return water.particles == 0; });
+    return waters_;
   }
 
  private:
@@ -128,7 +134,7 @@ class Filling {
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     for (const std::uint32_t hollow : touched) {
       Hollow& h = hollows_[hollow];
-      if (h.water > 0 && !h.overflows() && h.basins.empty()) close(h);
+      if (h.water > 0 && !h.overflows() && h.waters.empty()) close(h);
     }
     std::swap(below_, here_);
   }
@@ -175,14 +181,14 @@ class Filling {
     for (std::size_t k = 0; k < from.capacity.size(); ++k) into.capacity[k] += from.capacity[k];
     into.places += from.places;
     into.water += from.water;
-    into.basins.insert(into.basins.end(), from.basins.begin(), from.basins.end());
+    into.waters.insert(into.waters.end(), from.waters.begin(), from.waters.end());
     from = {};
   }
 
-  /// What flows in mixes with the water of its basins.
+  /// What flows in mixes with the waters in it.
   void empty(Hollow& hollow) {
-    for (const std::size_t basin : hollow.basins) basins_[basin].particles = 0;
-    hollow.basins.clear();
+    for (const std::size_t water : hollow.waters) waters_[water].particles = 0;
+    hollow.waters.clear();
   }
 
   /// Its water is at rest: it fills the lowest places.
@@ -192,14 +198,14 @@ class Filling {
     while (layer + 1 < hollow.capacity.size() && rest > hollow.capacity[layer]) rest -= hollow.capacity[layer++];
     const auto top = static_cast<double>(hollow.capacity[layer]);
     const double layers = static_cast<double>(layer) + (top > 0.0 ? static_cast<double>(rest) / top : 0.0);
-    hollow.basins.push_back(basins_.size());
-    basins_.push_back({places_.first.z() + (layers - 0.5) * d, top * d * d, hollow.water});
+    hollow.waters.push_back(waters_.size());
+    waters_.push_back({places_.first.z() + (layers - 0.5) * d, top * d * d, hollow.water});
   }
 
   const Places& places_;
   std::vector<std::uint32_t> bottoms_, below_, here_, parent_;
   std::vector<Hollow> hollows_;
-  std::vector<Basin> basins_;
+  std::vector<EnclosedWater> waters_;
   std::size_t next_ = 0;
 };
 
@@ -212,8 +218,8 @@ double level_without_bodies(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Basin> find_basins(TaskPool& pool, const Scene& scene, const Bodies& bodies,
-                               std::span<const Float4> position, const PatchFrame& frame) {
+std::vector<EnclosedWater> find_enclosed_waters(TaskPool& pool, const Scene& scene, const Bodies& bodies,
+                                                std::span<const Float4> position, const PatchFrame& frame) {
   const Places places = find_places(pool, scene, bodies, highest(position, frame));
   if (places.free.empty()) return {};
   return Filling(places, drain(places, position, frame)).fill();
@@ -222,10 +228,10 @@ std::vector<Basin> find_basins(TaskPool& pool, const Scene& scene, const Bodies&
 double rest_level(TaskPool& pool, const Scene& scene, const Bodies& bodies, std::span<const Float4> position,
                   const PatchFrame& frame) {
   if (bodies.empty()) return level_without_bodies(scene);
-  const std::vector<Basin> basins = find_basins(pool, scene, bodies, position, frame);
-  if (basins.empty()) return level_without_bodies(scene);
-  return std::max_element(basins.begin(), basins.end(),
-                          [](const Basin& a, const Basin& b) {
+  const std::vector<EnclosedWater> waters = find_enclosed_waters(pool, scene, bodies, position, frame);
+  if (waters.empty()) return level_without_bodies(scene);
+  return std::max_element(waters.begin(), waters.end(),
+                          [](const EnclosedWater& a, const EnclosedWater& b) {
                             return a.surface != b.surface ? a.surface < b.surface : a.particles < b.particles;
                           })
       ->level;

@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "basin.hpp"
 #include "simulation/world.hpp"
+#include "small_patch.hpp"
 
 namespace pelagos::test {
 
-inline constexpr double kBasinParticle = 0.25 * 0.25 * 0.25;                     ///< m^3, of a particle of the basin
+inline constexpr double kParticleVolume = 0.25 * 0.25 * 0.25;                    ///< m^3, of a particle of the patch
 inline constexpr double kOilDensity = find_oil("medium crude").value().density;  ///< kg/m^3
 
-/// A basin with room for oil, none of it there yet.
-inline Scene oily_basin(OilModel model, Scene scene = basin()) {
+/// A patch with room for oil, none of it there yet.
+inline Scene oily_patch(OilModel model, Scene scene = small_patch()) {
   scene.oil.emplace();
   scene.oil->properties = find_oil("medium crude").value();
   scene.oil->model = model;

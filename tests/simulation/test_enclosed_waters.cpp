@@ -1,4 +1,4 @@
-#include "simulation/basins.hpp"
+#include "simulation/enclosed_waters.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -40,14 +40,15 @@ void add_block(Scene& scene, const Eigen::Vector3d& min, const Eigen::Vector3d& 
 double level_of(const Scene& scene) { return World(scene, {1, nullptr, {}}).water_level(); }
 
 /// By their surfaces, the largest first.
-std::vector<Basin> basins_of(const Scene& scene) {
+std::vector<EnclosedWater> waters_of(const Scene& scene) {
   const World world(scene, {1, nullptr, {}});
   TaskPool pool(1);
   const FluidParticles& p = world.fluid().particles;
-  std::vector<Basin> basins =
-      find_basins(pool, scene, world.bodies(), std::span(p.position).first(p.count), world.patch());
-  std::sort(basins.begin(), basins.end(), [](const Basin& a, const Basin& b) { return a.surface > b.surface; });
-  return basins;
+  std::vector<EnclosedWater> waters =
+      find_enclosed_waters(pool, scene, world.bodies(), std::span(p.position).first(p.count), world.patch());
+  std::sort(waters.begin(), waters.end(),
+            [](const EnclosedWater& a, const EnclosedWater& b) { return a.surface > b.surface; });
+  return waters;
 }
 
 TEST(RestLevel, WithoutBodiesSpreadsTheBlocksOverTheFloor) {
@@ -112,25 +113,25 @@ TEST(RestLevel, CountsOilToo) {
   EXPECT_NEAR(level_of(scene), 1.0, 1e-12);
 }
 
-TEST(RestLevel, OfSeveralBasinsIsThatOfTheLargestSurface) {
+TEST(RestLevel, OfSeveralWatersIsThatOfTheLargestSurface) {
   // A lock on the right, behind a gate of a thousandth of a metre: 0.5 m higher.
   Scene scene = channel(2.75, 1.0);
   scene.water.blocks.push_back({{2.75, 0, 0}, {4, 2, 1.5}});
   add_block(scene, {2.7495, -0.5, -0.5}, {2.7505, 2.5, 2});
   EXPECT_NEAR(level_of(scene), 1.0, 1e-12);
-  const std::vector<Basin> basins = basins_of(scene);
-  ASSERT_EQ(basins.size(), 2U);
-  EXPECT_NEAR(basins[1].level, 1.5, 1e-12);
-  EXPECT_NEAR(basins[0].surface, 2.75 * 2.0, 2.0 * 0.125);
-  EXPECT_NEAR(basins[1].surface, 1.25 * 2.0, 2.0 * 0.125);
+  const std::vector<EnclosedWater> waters = waters_of(scene);
+  ASSERT_EQ(waters.size(), 2U);
+  EXPECT_NEAR(waters[1].level, 1.5, 1e-12);
+  EXPECT_NEAR(waters[0].surface, 2.75 * 2.0, 2.0 * 0.125);
+  EXPECT_NEAR(waters[1].surface, 1.25 * 2.0, 2.0 * 0.125);
 }
 
 TEST(RestLevel, OfADryDockBehindItsGateIsThatOfTheSea) {
   Scene scene = channel(2.0, 1.0);
   add_block(scene, {2, -0.5, -0.5}, {2.25, 2.5, 2});
-  const std::vector<Basin> basins = basins_of(scene);
-  ASSERT_EQ(basins.size(), 1U);
-  EXPECT_NEAR(basins[0].level, 1.0, 1e-12);
+  const std::vector<EnclosedWater> waters = waters_of(scene);
+  ASSERT_EQ(waters.size(), 1U);
+  EXPECT_NEAR(waters[0].level, 1.0, 1e-12);
 }
 
 TEST(RestLevel, IsTheSameBehindALowSill) {
@@ -146,10 +147,10 @@ TEST(RestLevel, OfATubAboveTheSeaIsItsOwn) {
   scene.water.blocks.push_back({{2, 0, 1}, {4, 2, 1.5}});
   add_block(scene, {1.75, -0.5, 0.75}, {4.5, 2.5, 1});
   add_block(scene, {1.75, -0.5, 0.75}, {2, 2.5, 2});
-  const std::vector<Basin> basins = basins_of(scene);
-  ASSERT_EQ(basins.size(), 2U);
+  const std::vector<EnclosedWater> waters = waters_of(scene);
+  ASSERT_EQ(waters.size(), 2U);
   EXPECT_NEAR(level_of(scene), 0.5, 1e-12);
-  EXPECT_NEAR(basins[1].level, 1.5, 1e-12);
+  EXPECT_NEAR(waters[1].level, 1.5, 1e-12);
 }
 
 TEST(RestLevel, IsTheSameForAnyNumberOfThreads) {
