@@ -241,9 +241,9 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   const Breaking breaking = breaking_of(waves.waves, wind);
   block.level =
       vector4(scene.water_level - camera.eye.z(), std::fmod(moment.time, 3600.0), kVisibility, breaking.threshold);
-  const Eigen::Vector3d low = scene.tank.min - camera.eye, high = scene.tank.max - camera.eye;
+  const Eigen::Vector3d low = scene.patch.min - camera.eye, high = scene.patch.max - camera.eye;
   block.patch_box = vector4(low.x(), low.y(), high.x(), high.y());
-  const double narrow = scene.tank.size().head<2>().minCoeff();
+  const double narrow = scene.patch.size().head<2>().minCoeff();
   const bool present = !moment.particles.empty() && narrow > 0.0;
   const PatchBlend blend = rim_blend(spacing, narrow);
   block.patch_blend = vector4(present ? 1 : 0, blend.start, blend.full, breaking.deviation);

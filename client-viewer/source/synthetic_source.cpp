@@ -57,7 +57,7 @@ HullInfluence hull_influence(const BodyState& ship, double x, double y) {
   return hull;
 }
 
-/// Surface of the patch: the longer waves of the far sea, a little lower, as a tank would damp them.
+/// Surface of the patch: the longer waves of the far sea, a little lower, as a patch would damp them.
 double patch_elevation(const std::vector<WaveComponent>& waves, double x, double y, double time) {
   return 0.8 * wave_elevation(waves, x, y, time);
 }
@@ -111,7 +111,7 @@ SceneInfo synthetic_scene() {
   scene.seed = 1;
   scene.frame_interval = kFrameInterval;
   scene.particle_spacing = kSpacing;
-  scene.tank = {{-48.0, -36.0, -5.0}, {48.0, 36.0, 4.0}};
+  scene.patch = {{-48.0, -36.0, -5.0}, {48.0, 36.0, 4.0}};
   scene.sea = WaveField(make_wave_components({.beaufort = 5, .wave_to_deg = 60.0, .components = 24, .seed = 3}), 0.0);
   scene.bodies.push_back({1, "coaster", "coaster_hull.obj", 1.0});
   return scene;
@@ -130,8 +130,8 @@ void fill_synthetic_frame(double time, OceanFrame& frame) {
   const BodyState& ship = frame.bodies.front();
   SplitMix64 random(11);
   const auto jitter = [&] { return static_cast<float>(random.next_unit() + random.next_unit() - 1.0); };
-  for (double x = scene.tank.min.x() + 0.5; x < scene.tank.max.x(); x += kSpacing)
-    for (double y = scene.tank.min.y() + 0.5; y < scene.tank.max.y(); y += kSpacing) {
+  for (double x = scene.patch.min.x() + 0.5; x < scene.patch.max.x(); x += kSpacing)
+    for (double y = scene.patch.min.y() + 0.5; y < scene.patch.max.y(); y += kSpacing) {
       const HullInfluence hull = hull_influence(ship, x, y);
       const double level = patch_elevation(carried, x, y, time) + hull.raise;
       const double tilt_x = patch_elevation(carried, x + 1.0, y, time) + hull.raise - level;

@@ -9,7 +9,7 @@ namespace {
 
 Scene pool_of_water() {
   Scene scene;
-  scene.tank = {{0, 0, 0}, {4, 4, 2}};
+  scene.patch = {{0, 0, 0}, {4, 4, 2}};
   return scene;
 }
 

@@ -117,7 +117,7 @@ TEST_F(CtlOil, FailsWithTheServersWords) {
 
 TEST_F(CtlOil, IsToldAtOnceWhatDoesNotFitTheScene) {
   EXPECT_THAT(ask({"release", "a", "--from", "70", "20", "8", "--rate", "1"}).err,
-              HasSubstr("command.release_oil.from: (70, 20, 8) m is outside the tank; allowed: (0, 0, 0) to "
+              HasSubstr("command.release_oil.from: (70, 20, 8) m is outside the patch; allowed: (0, 0, 0) to "
                         "(60, 40, 16) m [INVALID_VALUE]"));
   EXPECT_THAT(ask({"release", "a", "--from", "70", "20", "8", "--rate", "1", "--body", "9"}).err,
               HasSubstr("command.release_oil.body: the scene has no body 9; allowed: 1, 2"));

@@ -1,4 +1,4 @@
-// pelagos-ctl: the waves around the tank.
+// pelagos-ctl: the waves around the patch.
 
 #include <filesystem>
 #include <fstream>

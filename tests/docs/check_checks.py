@@ -33,7 +33,7 @@ DAMAGES = [
      "| `wind_v1` | server | source | reliable, KEEP_LAST 1, volatile |", "in the code transient local"),
     ("scene_entries", "docs/scenes.md", "| `seed` | 1 |", "| `seeds` | 1 |", "`seed` is in the code"),
     ("scene_entries", "docs/scenes.md", "| `gravity` | 9.81 |", "| `gravity` | 9.8 |", "proto/scene.proto has 9.81"),
-    ("scene_entries", "docs/scenes.md", "| `tank` | required |", "| `tank` | none |", "`tank` has the default none"),
+    ("scene_entries", "docs/scenes.md", "| `patch` | required |", "| `patch` | none |", "`patch` has the default none"),
     ("error_codes", "docs/control.md", "| `RATE_LIMITED` |", "| `TOO_FAST` |", "`RATE_LIMITED` is in the code"),
     ("oils", "docs/scenes.md", "| `diesel` | 852.98 |", "| `diesel` | 845 |", "\"diesel\" has (845.0"),
     ("oils", "docs/scenes.md", "| 12.3 | refined |", "| 12.3 | crude |", "\"heavy fuel oil\" has"),

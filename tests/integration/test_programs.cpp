@@ -92,7 +92,7 @@ TEST_F(Server, EndsWithinASecondOfSigterm) {
 TEST_F(Server, AnswersCommandsAtOnceWhileItSettlesItsWater) {
   const TemporaryFolder folder;
   const std::string scene_file = (folder.path() / "slow_start.scene").string();
-  std::ofstream(scene_file) << "particle_spacing: 0.1 tank { min { } max { x: 3 y: 3 z: 2 } }\n"
+  std::ofstream(scene_file) << "particle_spacing: 0.1 patch { min { } max { x: 3 y: 3 z: 2 } }\n"
                                "water { block { min { } max { x: 3 y: 3 z: 1 } } settle_steps: 1500 }\n";
   server_ = std::make_unique<RunningProgram>(server_arguments(scene_file, endpoint_));
   const auto end = std::chrono::steady_clock::now() + kPatience;
@@ -101,7 +101,7 @@ TEST_F(Server, AnswersCommandsAtOnceWhileItSettlesItsWater) {
             "scheduled as 1: the server still places and settles its water; takes effect before the first step\n");
   ASSERT_EQ(ask({"status", "--json"}), 0);
   EXPECT_EQ(nlohmann::json::parse(answer_).at("starting"), true);
-  EXPECT_EQ(ask({"probe", "1", "9", "9"}), 1) << "it lies outside the tank";
+  EXPECT_EQ(ask({"probe", "1", "9", "9"}), 1) << "it lies outside the patch";
   ASSERT_EQ(ask({"schedule"}), 0);
   EXPECT_THAT(answer_, HasSubstr("pause"));
   nlohmann::json status;
@@ -331,7 +331,7 @@ TEST_F(Server, RefusesOilThatDoesNotFitAndTellsOfSourcesAndSkimmers) {
   std::ofstream(scene_file) << read_text(scene("still_water")) << "oil { type: \"diesel\" model: SLICK }\n";
   start({"--unpaced"}, scene_file);
   EXPECT_EQ(ask({"spill", "99", "0", "--volume", "1", "--json"}), 1);
-  EXPECT_THAT(answer_, HasSubstr("command.spill_oil.position: (99, 0) m is outside the tank"));
+  EXPECT_THAT(answer_, HasSubstr("command.spill_oil.position: (99, 0) m is outside the patch"));
   EXPECT_EQ(ask({"boom", "north", "--remove", "--json"}), 1);
   EXPECT_THAT(answer_, HasSubstr("command.remove_boom.name: there is no boom"));
   ASSERT_EQ(ask({"skimmer", "rig", "0.1", "0.1", "--radius", "0.05"}), 0);

@@ -174,7 +174,7 @@ TEST(Assets, AreFoundInTheFoldersThatAreNamed) {
   std::filesystem::copy(test::source_path("assets/meshes/coaster_hull.obj"), folder.path() / "own/meshes/my_hull.obj");
   const auto read = [&](const std::string& mesh, const std::vector<std::string>& more) {
     const std::string file = (folder.path() / "a.scene").string();
-    std::ofstream(file) << "particle_spacing: 1 tank { min { x: -30 y: -10 z: -8 } max { x: 30 y: 10 z: 8 } }\n"
+    std::ofstream(file) << "particle_spacing: 1 patch { min { x: -30 y: -10 z: -8 } max { x: 30 y: 10 z: 8 } }\n"
                            "water { block { min { x: -30 y: -10 z: -8 } max { x: 30 y: 10 z: -4 } } }\n"
                            "body { id: 1 position { } mesh_file: \""
                         << mesh << "\" }\n";

@@ -21,7 +21,7 @@ std::string write_scene(const TemporaryFolder& folder) {
   const std::string file = (folder.path() / "session.scene").string();
   std::ofstream(file) << R"(name: "session"
 particle_spacing: 0.5
-tank { min { x: 0 y: 0 z: 0 } max { x: 16 y: 10 z: 5 } }
+patch { min { x: 0 y: 0 z: 0 } max { x: 16 y: 10 z: 5 } }
 water { block { min { x: 0 y: 0 z: 0 } max { x: 16 y: 10 z: 2.5 } } settle_steps: 20 }
 body {
   id: 1 name: "own ship" shape { box { size { x: 4 y: 2 z: 2 } } } drive: POSE_HORIZONTAL

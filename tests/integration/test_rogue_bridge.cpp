@@ -24,8 +24,8 @@ using testing::HasSubstr;
 constexpr std::chrono::seconds kPatience{60};
 
 constexpr const char* kPond = R"(name: "pond" particle_spacing: 0.5
-tank { min { x: -10 y: -7 z: -2 } max { x: 10 y: 7 z: 4 } }
-tank_edges { x: MIRROR y: MIRROR z: MIRROR }
+patch { min { x: -10 y: -7 z: -2 } max { x: 10 y: 7 z: 4 } }
+patch_edges { x: MIRROR y: MIRROR z: MIRROR }
 water { block { min { x: -10 y: -7 z: -2 } max { x: 10 y: 7 z: 0 } } settle_steps: 50 }
 body { id: 1 name: "lighter" shape { box { size { x: 6 y: 3 z: 2 } } } drive: POSE position { x: 0 y: 0 z: 0 } }
 frame_rate: 30

@@ -153,7 +153,7 @@ TEST(MeshPrograms, PelagosMeshSaysWhatARunSays) {
     EXPECT_EQ(mesh.exit_code, 1) << name;
     const auto scene = files.write("a.scene",
                                    "name: \"a\" particle_spacing: 0.25\n"
-                                   "tank { min { x: 0 y: 0 z: 0 } max { x: 3 y: 3 z: 3 } }\n"
+                                   "patch { min { x: 0 y: 0 z: 0 } max { x: 3 y: 3 z: 3 } }\n"
                                    "water { block { min { x: 0 y: 0 z: 0 } max { x: 3 y: 3 z: 1 } } }\n"
                                    "body { id: 1 mesh_file: \"" +
                                        path + "\" position { x: 1 y: 1 z: 1 } }\n");

@@ -209,7 +209,7 @@ TEST(PlaceSamples, MovesAsARigidBody) {
   state.orientation = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
   state.velocity = {1, 2, 3};
   state.angular_velocity = {0.1, -0.2, 0.3};
-  const PatchFrame patch{{990, 2000, 0}, {}, kWalledTank};
+  const PatchFrame patch{{990, 2000, 0}, {}, kWallsAround};
   std::vector<Float4> position(shape.samples.size(), {0, 0, 0, 7}), velocity(shape.samples.size());
   place_samples(shape, state, patch, position, velocity);
   BodyState later = state;

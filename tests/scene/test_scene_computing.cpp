@@ -1,4 +1,4 @@
-// How the water is computed: solver, governor, kernel, edges of the tank.
+// How the water is computed: solver, governor, kernel, edges of the patch.
 
 #include <gmock/gmock.h>
 
@@ -66,26 +66,27 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& entry) { return entry.param.name; });
 
 TEST(SceneFile, RefusesAPeriodicSideThatIsNoWholeNumberOfSpacings) {
-  const std::string edges = "tank_edges { y: PERIODIC }\n";
+  const std::string edges = "patch_edges { y: PERIODIC }\n";
   std::string text = test::kValid;
   text.replace(text.find("max { x: 2 y: 2 z: 2 }"), 22, "max { x: 2 y: 2.03 z: 2 }");
-  EXPECT_THAT(read_scene_text(text + edges, "test.scene").faults,
-              ElementsAre(AllOf(StartsWith("test.scene:7: tank_edges.y: "), HasSubstr("nearest allowed: 2 or 2.1 m"))));
+  EXPECT_THAT(
+      read_scene_text(text + edges, "test.scene").faults,
+      ElementsAre(AllOf(StartsWith("test.scene:7: patch_edges.y: "), HasSubstr("nearest allowed: 2 or 2.1 m"))));
   // Within 1e-6 of a spacing, and not.
   text.replace(text.find("2.03"), 4, "2.00000005");
   EXPECT_TRUE(read_scene_text(text + edges, "test.scene"));
   text.replace(text.find("2.00000005"), 10, "2.0000002");
   EXPECT_FALSE(read_scene_text(text + edges, "test.scene"));
   // A mirrored side may be any.
-  EXPECT_TRUE(read_scene_text(text + "tank_edges { y: MIRROR }\n", "test.scene"));
+  EXPECT_TRUE(read_scene_text(text + "patch_edges { y: MIRROR }\n", "test.scene"));
 }
 
 TEST(SceneFile, FillsAxesWithoutWallsFromHalfASpacing) {
-  const SceneResult result = read_with("tank_edges { x: PERIODIC z: MIRROR }\n");
+  const SceneResult result = read_with("patch_edges { x: PERIODIC z: MIRROR }\n");
   ASSERT_TRUE(result) << result.report();
-  EXPECT_EQ(result.scene->tank_edges, (TankEdges{TankEdge::kPeriodic, TankEdge::kWall, TankEdge::kMirror}));
+  EXPECT_EQ(result.scene->patch_edges, (PatchEdges{PatchEdge::kPeriodic, PatchEdge::kWall, PatchEdge::kMirror}));
   EXPECT_EQ(particle_count(*result.scene), 10 * 10 * 10);
-  const SceneResult sampled = read_with("tank_edges { x: PERIODIC z: MIRROR }\nsolver { kind: HYBRID }\n");
+  const SceneResult sampled = read_with("patch_edges { x: PERIODIC z: MIRROR }\nsolver { kind: HYBRID }\n");
   ASSERT_TRUE(sampled) << sampled.report();
   EXPECT_EQ(particle_count(*sampled.scene), 10 * 9 * 10) << "a sampled wall's own particles stand on its face";
 }
@@ -95,20 +96,21 @@ TEST(SceneFile, RefusesBlocksTooSmallForAParticleWithoutWallsToo) {
   const auto with_height = [&](const char* height) {
     std::string text = flat;
     text.replace(text.find("max { x: 1 y: 1 z: 1 }"), 22, std::string("max { x: 1 y: 1 z: ") + height + " }");
-    return read_scene_text(text + "tank_edges { z: MIRROR }\n", "test.scene");
+    return read_scene_text(text + "patch_edges { z: MIRROR }\n", "test.scene");
   };
   EXPECT_THAT(with_height("0.09").faults,
               ElementsAre(AllOf(StartsWith("test.scene:5: water.block[0]: "), HasSubstr("(0.1, 0.1, 0.1) m"))));
   EXPECT_TRUE(with_height("0.1"));
 }
 
-TEST(SceneFile, KeepsTwoSupportRadiiBetweenTheFacesOfATank) {
+TEST(SceneFile, KeepsTwoSupportRadiiBetweenTheFacesOfAPatch) {
   std::string text = test::kValid;
   text.replace(text.find("max { x: 2 y: 2 z: 2 }"), 22, "max { x: 2 y: 2 z: 0.45 }");
   text.replace(text.find("max { x: 1 y: 1 z: 1 }"), 22, "max { x: 1 y: 1 z: 0.45 }");
   EXPECT_TRUE(read_scene_text(text, "test.scene"));
-  EXPECT_THAT(read_scene_text(text + "support_radius: 2.5\n", "test.scene").faults,
-              ElementsAre(AllOf(StartsWith("test.scene:3: tank: is 0.45 m"), HasSubstr("at least 0.5 m (5 particle"))));
+  EXPECT_THAT(
+      read_scene_text(text + "support_radius: 2.5\n", "test.scene").faults,
+      ElementsAre(AllOf(StartsWith("test.scene:3: patch: is 0.45 m"), HasSubstr("at least 0.5 m (5 particle"))));
 }
 
 TEST(SceneFile, LetsAGovernorsLongestStepDecideOnViscosity) {
@@ -130,7 +132,7 @@ TEST(SceneSolver, TakesTheDefaultsOfItsKind) {
   EXPECT_EQ(corrected.scene->support_radius, 2.0);
   EXPECT_FALSE(corrected.scene->governor.on);
   EXPECT_EQ(corrected.scene->on_fault, FaultPolicy::kStop);
-  EXPECT_EQ(corrected.scene->tank_edges, kWalledTank);
+  EXPECT_EQ(corrected.scene->patch_edges, kWallsAround);
   for (const auto& [name, kind] :
        {std::pair{"HYBRID", SolverKind::kHybrid}, {"DFSPH", SolverKind::kDfsph}, {"PBF", SolverKind::kPbf}}) {
     const SceneResult other = read_with(std::string("solver { kind: ") + name + " method: PAPER }\n");

@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"BodyMeshEmpty", "body { id: 1 mesh_file: \"\" position { } }", "body[0].mesh_file", "1 to 1024"},
         FaultCase{"BodyNoPosition", "body { id: 1 mesh_file: \"a.obj\" }", "body[0].position", "is missing"},
         FaultCase{"BodyOutside", "body { id: 1 mesh_file: \"a.obj\" position { x: 9 } }", "body[0].position",
-                  "outside the tank"}),
+                  "outside the patch"}),
     [](const auto& entry) { return entry.param.name; });
 
 class SceneBody : public testing::TestWithParam<FaultCase> {};
@@ -155,7 +155,7 @@ TEST(SceneFile, ChecksEverythingAgainstASpacingGivenInstead) {
   const SceneResult coarser = read_scene_text(test::kValid, "test.scene", options);
   ASSERT_TRUE(coarser) << coarser.report();
   EXPECT_EQ(coarser.scene->particle_spacing, 0.125);
-  options.particle_spacing = 1e-4;  // the tank would need far too many samples
+  options.particle_spacing = 1e-4;  // the patch would need far too many samples
   EXPECT_THAT(read_scene_text(test::kValid, "test.scene", options).report(), HasSubstr("at this spacing"));
 }
 
@@ -198,9 +198,19 @@ TEST(SceneFile, RefusesDensityAndSettlingOutOfRange) {
                           HasSubstr("water.settle_steps: -1 is out of range; allowed: 0 to 5000")));
 }
 
-TEST(SceneFile, RefusesBlocksThatLeaveTheTank) {
+TEST(SceneFile, TellsThePresentNamesOfFieldsThatWereRenamed) {
+  const SceneResult result = read_scene_text(
+      "particle_spacing: 0.1\ntank { min { } max { x: 2 y: 2 z: 2 } }\ntank_edges { x: MIRROR }\n"
+      "water { block { min { } max { x: 2 y: 2 z: 1 } } }\n",
+      "old.scene");
+  EXPECT_THAT(result.faults,
+              testing::IsSupersetOf({"old.scene:2: tank: unknown field; its name is \"patch\" now",
+                                     "old.scene:3: tank_edges: unknown field; its name is \"patch_edges\" now"}));
+}
+
+TEST(SceneFile, RefusesBlocksThatLeaveThePatch) {
   EXPECT_THAT(read_replacing("max { x: 1 y: 1 z: 1 }", "max { x: 1 y: 1 z: 3 }").faults,
-              ElementsAre(AllOf(StartsWith("test.scene:5: water.block[0]: "), HasSubstr("inside the tank"))));
+              ElementsAre(AllOf(StartsWith("test.scene:5: water.block[0]: "), HasSubstr("inside the patch"))));
 }
 
 TEST(SceneFile, RefusesBlocksTooSmallForAParticle) {
@@ -239,7 +249,7 @@ TEST(SceneFile, RefusesABillionParticlesAtOnceWithTheNumber) {
   // 1000 along each axis.
   const SceneResult result = read_scene_text(
       "particle_spacing: 0.01\n"
-      "tank { min { } max { x: 10 y: 10 z: 10 } }\n"
+      "patch { min { } max { x: 10 y: 10 z: 10 } }\n"
       "water { block { min { } max { x: 10 y: 10 z: 10 } } }\n",
       "test.scene");
   EXPECT_THAT(result.faults,
@@ -247,28 +257,28 @@ TEST(SceneFile, RefusesABillionParticlesAtOnceWithTheNumber) {
                                       HasSubstr("at most 4,000,000"))));
 }
 
-TEST(SceneFile, RefusesTanksThatWouldNotFitInMemory) {
+TEST(SceneFile, RefusesPatchesThatWouldNotFitInMemory) {
   const SceneResult result = read_scene_text(
       "particle_spacing: 0.001 solver { kind: HYBRID }\n"
-      "tank { min { } max { x: 1e6 y: 1e6 z: 1e6 } }\n"
+      "patch { min { } max { x: 1e6 y: 1e6 z: 1e6 } }\n"
       "water { block { min { } max { x: 0.01 y: 0.01 z: 0.01 } } }\n",
       "test.scene");
-  EXPECT_THAT(result.faults, ElementsAre(AllOf(StartsWith("test.scene:2: tank: "), HasSubstr("search cells")),
-                                         AllOf(StartsWith("test.scene:2: tank: "), HasSubstr("wall particles"))));
+  EXPECT_THAT(result.faults, ElementsAre(AllOf(StartsWith("test.scene:2: patch: "), HasSubstr("search cells")),
+                                         AllOf(StartsWith("test.scene:2: patch: "), HasSubstr("wall particles"))));
 }
 
-TEST(SceneFile, RefusesTanksNarrowerThanTheSupport) {
+TEST(SceneFile, RefusesPatchesNarrowerThanTheSupport) {
   EXPECT_THAT(read_replacing("max { x: 2 y: 2 z: 2 }", "max { x: 2 y: 2 z: 0.3 }").faults,
-              testing::Contains(AllOf(StartsWith("test.scene:3: tank: "), HasSubstr("at least 0.4 m"))));
+              testing::Contains(AllOf(StartsWith("test.scene:3: patch: "), HasSubstr("at least 0.4 m"))));
 }
 
 TEST(SceneFile, NamesEverythingThatIsMissing) {
-  EXPECT_THAT(
-      read_scene_text("", "test.scene").faults,
-      ElementsAre("test.scene:1: particle_spacing: is missing; it is required",
-                  "test.scene:1: tank: is missing; it is required", "test.scene:1: water: is missing; it is required"));
+  EXPECT_THAT(read_scene_text("", "test.scene").faults,
+              ElementsAre("test.scene:1: particle_spacing: is missing; it is required",
+                          "test.scene:1: patch: is missing; it is required",
+                          "test.scene:1: water: is missing; it is required"));
   EXPECT_THAT(read_scene_text("particle_spacing: 1\ntank { min { } }\n\nwater { }", "test.scene").faults,
-              ElementsAre("test.scene:2: tank.max: is missing; it is required",
+              ElementsAre("test.scene:2: patch.max: is missing; it is required",
                           "test.scene:4: water.block: is missing; it is required"));
 }
 
@@ -296,7 +306,7 @@ TEST(SceneFile, ReportsAllFaultsAtOnceInTheOrderOfTheFile) {
   const SceneResult result = read_scene_text(
       "particle_spacing: 0.1\n"
       "gravty: 9.81\n"  // unknown
-      "tank { min { } max { x: 2 y: 2 z: 2 } }\n"
+      "patch { min { } max { x: 2 y: 2 z: 2 } }\n"
       "water {\n"
       "  rest_density: 5\n"                                            // out of range
       "  block { min { } max { x: 1 y: 1 z: 1 } colour: \"blue\" }\n"  // unknown, inside the first block

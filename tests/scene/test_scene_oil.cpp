@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
             "oil { block { min { z: 1 } max { x: 1 y: 1 z: 1.5 } } block { min { z: 1.4 } max { x: 1 y: 1 z: 2 } } }",
             "oil.block[1]", "overlaps oil.block[0]"},
         FaultCase{"Outside", "oil { block { min { z: 1 } max { x: 1 y: 1 z: 3 } } }", "oil.block[0]",
-                  "inside the tank"},
+                  "inside the patch"},
         FaultCase{"TooSmall", "oil { block { min { z: 1 } max { x: 1 y: 1 z: 1.09 } } }", "oil.block[0]",
                   "too small for one particle"},
         FaultCase{"Unfit", "oil { colour: 1 }", "oil.colour", "unknown field"}),

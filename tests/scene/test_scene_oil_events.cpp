@@ -41,22 +41,22 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"SkimmerNoFilm", "oil { } event { at: 1 set_skimmer { name: \"s\" position { } } }",
                   "event[0].set_skimmer", "a skimmer works on the slick layer"},
         FaultCase{"SourceOutside", "oil { } event { at: 1 release_oil { name: \"a\" from { x: 99 } rate: 1 } }",
-                  "event[0].release_oil.from", "(99, 0, 0) m is outside the tank; allowed: (0, 0, 0) to "},
+                  "event[0].release_oil.from", "(99, 0, 0) m is outside the patch; allowed: (0, 0, 0) to "},
         FaultCase{"SourceAbove", "oil { } event { at: 1 release_oil { name: \"a\" from { z: 99 } rate: 1 } }",
-                  "event[0].release_oil.from", "outside the tank"},
+                  "event[0].release_oil.from", "outside the patch"},
         FaultCase{"LineOutside", "oil { } event { at: 1 release_oil { name: \"a\" from { } to { y: -1 } rate: 1 } }",
-                  "event[0].release_oil.to", "(0, -1, 0) m is outside the tank"},
+                  "event[0].release_oil.to", "(0, -1, 0) m is outside the patch"},
         FaultCase{"SourceOnNobody", "oil { } event { at: 1 release_oil { name: \"a\" from { } rate: 1 body: 3 } }",
                   "event[0].release_oil.body", "the scene has no body 3; allowed: none, it has no bodies"},
         FaultCase{"SpillOutside", "oil { model: SLICK } event { at: 1 spill_oil { position { x: -1 } volume: 1 } }",
-                  "event[0].spill_oil.position", "(-1, 0) m is outside the tank; allowed: (0, 0) to "},
+                  "event[0].spill_oil.position", "(-1, 0) m is outside the patch; allowed: (0, 0) to "},
         FaultCase{"SkimmerOutside",
                   "oil { model: BOTH } event { at: 1 set_skimmer { name: \"s\" position { y: 99 } } }",
-                  "event[0].set_skimmer.position", "(0, 99) m is outside the tank"},
+                  "event[0].set_skimmer.position", "(0, 99) m is outside the patch"},
         FaultCase{"BoomOutside",
                   "oil { model: SLICK } event { at: 1 set_boom { name: \"b\" point { x: -1 y: 0 } point { x: -1 y: 9 } "
                   "point { x: 9 y: 19 } } }",
-                  "event[0].set_boom.point", "all of the boom is outside the tank"},
+                  "event[0].set_boom.point", "all of the boom is outside the patch"},
         FaultCase{"BoomPointsMeet",
                   "oil { model: SLICK } event { at: 1 set_boom { name: \"b\" point { } point { x: 0.05 } } }",
                   "event[0].set_boom.point[1]", "0.05 m from the point before; allowed: at least 0.1 m"},
@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"UnknownProbe", "probe { id: 4 position { x: 1 y: 1 } } event { at: 1 remove_probe { id: 5 } }",
                   "event[0].remove_probe.id", "there is no probe 5; allowed: 4"},
         FaultCase{"ProbeOutside", "event { at: 1 set_probe { id: 4 position { x: 99 y: 1 } } }",
-                  "event[0].set_probe.position", "(99, 1) m is outside the tank"},
+                  "event[0].set_probe.position", "(99, 1) m is outside the patch"},
         FaultCase{"NoRate", "oil { } event { at: 1 release_oil { name: \"a\" from { } } }", "event[0].release_oil.rate",
                   "is missing"},
         FaultCase{"Past", "oil { model: SLICK } event { at: -1 spill_oil { position { } volume: 1 } }", "event[0].at",
@@ -138,7 +138,7 @@ TEST(GivenNames, TellWhereThereIsNoRoom) {
   EXPECT_FALSE(find_no_room(SetProbe{probe}, given));
 }
 
-TEST(CommandSurroundings, ABoomNeedsAPieceInTheTank) {
+TEST(CommandSurroundings, ABoomNeedsAPieceInThePatch) {
   const CommandSurroundings around{{{0, 0, 0}, {10, 5, 3}}, {}, OilModel::kSlick};
   const auto fits = [&](std::vector<Eigen::Vector2d> line) {
     return !find_misfit(OilCommand{SetBoom{"b", std::move(line), 0.5, 0.36}}, around);

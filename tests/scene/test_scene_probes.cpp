@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"NoId", "probe { position { x: 1 y: 1 } }", "probe[0].id", "required"},
         FaultCase{"Zero", "probe { id: 0 position { x: 1 y: 1 } }", "probe[0].id", "allowed: 1"},
         FaultCase{"NoPlace", "probe { id: 1 }", "probe[0].position", "required"},
-        FaultCase{"Outside", "probe { id: 1 position { x: 3 y: 1 } }", "probe[0].position", "outside the tank"},
+        FaultCase{"Outside", "probe { id: 1 position { x: 3 y: 1 } }", "probe[0].position", "outside the patch"},
         FaultCase{"NotFinite", "probe { id: 1 position { x: nan y: 1 } }", "probe[0].position.x",
                   "nan is out of range"},
         FaultCase{"NoSuchBody", "probe { id: 1 body: 3 position { x: 1 y: 1 } }", "probe[0].body", "no body 3"},

@@ -1,4 +1,4 @@
-// The waves around the tank: of a scene one by one, and those that an event exchanges them for.
+// The waves around the patch: of a scene one by one, and those that an event exchanges them for.
 
 #include <gmock/gmock.h>
 

@@ -48,7 +48,7 @@ TEST(ShippedScenes, DamBreakIsThePapers) {
   const Scene scene = load("dam_break.scene");
   EXPECT_EQ(scene.name, "dam_break");
   EXPECT_EQ(particle_count(scene), 35061);
-  EXPECT_EQ(scene.tank.size(), Eigen::Vector3d(5.0, 3.0, 5.0));
+  EXPECT_EQ(scene.patch.size(), Eigen::Vector3d(5.0, 3.0, 5.0));
   EXPECT_FALSE(scene.wind);
 }
 
@@ -118,7 +118,7 @@ TEST(ShippedScenes, StormRisesTellsItsStory) {
 TEST(ShippedScenes, LighthouseIsThePapersInMetresOfTwentyALength) {
   const Scene scene = load("lighthouse.scene");
   EXPECT_EQ(particle_count(scene), 34515);
-  EXPECT_EQ(scene.tank.size(), Eigen::Vector3d(100.0, 60.0, 100.0));
+  EXPECT_EQ(scene.patch.size(), Eigen::Vector3d(100.0, 60.0, 100.0));
   ASSERT_TRUE(scene.wind);
   EXPECT_EQ(scene.wind->velocity, Eigen::Vector3d(-18.0, -0.5, 0.0));
   ASSERT_EQ(scene.bodies.size(), 1u);
@@ -128,7 +128,7 @@ TEST(ShippedScenes, LighthouseIsThePapersInMetresOfTwentyALength) {
 TEST(ShippedScenes, TankerIsThePapersInMetresOfTwentyALength) {
   const Scene scene = load("tanker.scene");
   EXPECT_EQ(particle_count(scene), 64251);
-  EXPECT_EQ(scene.tank.size(), Eigen::Vector3d(120.0, 60.0, 100.0));
+  EXPECT_EQ(scene.patch.size(), Eigen::Vector3d(120.0, 60.0, 100.0));
   ASSERT_TRUE(scene.wind);
   EXPECT_EQ(scene.wind->velocity, Eigen::Vector3d(-18.0, -0.5, 0.0));
   ASSERT_EQ(scene.bodies.size(), 1u);

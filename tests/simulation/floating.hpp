@@ -16,7 +16,7 @@ inline Scene floating_box(double density_ratio, SolverKind solver = SolverKind::
   Scene scene;
   scene.name = "floating";
   scene.particle_spacing = 0.1;
-  scene.tank = {{0, 0, 0}, {3.2, 3.2, 2.4}};
+  scene.patch = {{0, 0, 0}, {3.2, 3.2, 2.4}};
   scene.water.blocks = {{{0, 0, 0}, {3.2, 3.2, 1.2}}};
   scene.water.settle_steps = 100;
   scene.solver = default_solver(solver);
@@ -34,7 +34,7 @@ inline Scene floating_box(double density_ratio, SolverKind solver = SolverKind::
 /// A sphere of 5 spacings' radius under water: 2 m deep and wide, d = 0.1 m.
 inline Scene sunken_sphere(double density_ratio, SolverKind solver = SolverKind::kCorrected) {
   Scene scene = floating_box(density_ratio, solver);
-  scene.tank = {{0, 0, 0}, {3, 3, 3}};
+  scene.patch = {{0, 0, 0}, {3, 3, 3}};
   scene.water.blocks = {{{0, 0, 0}, {3, 3, 2.4}}};
   scene.bodies[0].primitive = SphereShape{0.5};
   scene.bodies[0].position = {1.5, 1.5, 1.2};

@@ -35,7 +35,7 @@ inline Scene small_patch() {
   Scene scene;
   scene.name = "small_patch";
   scene.particle_spacing = 0.25;
-  scene.tank = {{0, 0, 0}, {5, 4, 3}};
+  scene.patch = {{0, 0, 0}, {5, 4, 3}};
   scene.water.blocks = {{{0, 0, 0}, {5, 4, 1.25}}};
   scene.water.settle_steps = 50;
   return scene;

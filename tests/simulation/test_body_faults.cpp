@@ -115,7 +115,7 @@ TEST(StaticBodies, StandAsFirmAsMovingOnesAtRest) {
 }
 
 TEST(StaticBodies, SamplesOutOfTheWatersReachAreLeftOut) {
-  // A quay of 9 m length, of which 1 m is in the tank of 5 m.
+  // A quay of 9 m length, of which 1 m is in the patch of 5 m.
   Scene scene = patch_with({make_body(1, BoxShape{{9.0, 2.0, 2.0}}, {0.0, 2.0, 1.0}, BodyDrive::kStatic)});
   scene.solver.kind = SolverKind::kHybrid;
   const World world(scene, {1, nullptr, {}});
@@ -165,10 +165,10 @@ TEST(BodyFaults, BodiesMustNotStandInOneAnother) {
   EXPECT_EQ(refusal_of(patch_with({make_block(1, middle, BodyDrive::kPose), make_block(2, middle + beside)})), "");
 }
 
-TEST(BodyFaults, ABodyMustBeInTheTank) {
+TEST(BodyFaults, ABodyMustBeInThePatch) {
   const BodySettings outside = make_body(1, BoxShape{{1.0, 1.0, 1.0}}, {9.0, 2.0, 1.0}, BodyDrive::kStatic);
   EXPECT_THAT(refusal_of(patch_with({outside})),
-              AllOf(HasSubstr("outside the tank, at (8.5, 1.5, 0.5) to (9.5, 2.5, 1.5) m"), HasSubstr("(5, 4, 3)")));
+              AllOf(HasSubstr("outside the patch, at (8.5, 1.5, 0.5) to (9.5, 2.5, 1.5) m"), HasSubstr("(5, 4, 3)")));
 }
 
 TEST(BodyFaults, AThinPlateIsABody) {

@@ -68,8 +68,8 @@ Scene channel() {
   Scene scene;
   scene.name = "channel";
   scene.particle_spacing = 0.25;
-  scene.tank = {{0, 0, 0}, {8, 2, 4}};
-  scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kPeriodic, TankEdge::kMirror};
+  scene.patch = {{0, 0, 0}, {8, 2, 4}};
+  scene.patch_edges = {PatchEdge::kPeriodic, PatchEdge::kPeriodic, PatchEdge::kMirror};
   scene.water.blocks = {{{0, 0, 0}, {8, 2, 2}}};
   return scene;
 }
@@ -217,7 +217,7 @@ TEST(CurrentInAChannel, CostsNothingWhereThereIsNone) {
   scene.current = easterly(1.0);
   World flowing(scene, {1, clock, {}});
   EXPECT_GT(flowing.advance().report.times.ns[stage], 0);
-  scene.tank_edges = kWalledTank;  // nothing flows, so nothing is held
+  scene.patch_edges = kWallsAround;  // nothing flows, so nothing is held
   World walled(scene, {1, clock, {}});
   EXPECT_EQ(walled.advance().report.times.ns[stage], 0);
 }
@@ -236,7 +236,7 @@ TEST(CurrentInAPatch, MovesWhatDriftsAndNotTheWater) {
 TEST(CurrentInAChannel, GoesRoundABodyThatStands) {
   const test::CubeFile cube;
   Scene scene = channel();
-  scene.tank = {{0, 0, 0}, {12, 4, 4}};
+  scene.patch = {{0, 0, 0}, {12, 4, 4}};
   scene.water.blocks = {{{0, 0, 0}, {12, 4, 2}}};
   scene.current = easterly(1.0);
   BodySettings body;

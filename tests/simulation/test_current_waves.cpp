@@ -18,8 +18,8 @@ Scene channel() {
   Scene scene;
   scene.name = "channel";
   scene.particle_spacing = kSpacing;
-  scene.tank = {{0, 0, 0}, {kLength, kWidth, 4}};
-  scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kPeriodic, TankEdge::kMirror};
+  scene.patch = {{0, 0, 0}, {kLength, kWidth, 4}};
+  scene.patch_edges = {PatchEdge::kPeriodic, PatchEdge::kPeriodic, PatchEdge::kMirror};
   scene.water.blocks = {{{0, 0, 0}, {kLength, kWidth, kDepth}}};
   return scene;
 }

@@ -12,15 +12,15 @@
 namespace pelagos {
 namespace {
 
-constexpr TankEdges kMirrored{TankEdge::kMirror, TankEdge::kMirror, TankEdge::kMirror};
+constexpr PatchEdges kMirrored{PatchEdge::kMirror, PatchEdge::kMirror, PatchEdge::kMirror};
 
 /// 4 x 2 x 3 m with smooth faces, d = 0.125 m, with water up to `depth` from x = 0 to `end`.
 Scene channel(double end, double depth) {
   Scene scene;
   scene.name = "channel";
   scene.particle_spacing = 0.125;
-  scene.tank = {{0, 0, 0}, {4, 2, 3}};
-  scene.tank_edges = kMirrored;
+  scene.patch = {{0, 0, 0}, {4, 2, 3}};
+  scene.patch_edges = kMirrored;
   scene.water.blocks = {{{0, 0, 0}, {end, 2, depth}}};
   return scene;
 }
@@ -66,7 +66,7 @@ TEST(RestLevel, IsThatOfTheWaterBesideAQuay) {
 
 TEST(RestLevel, IsTheSameForSampledWalls) {
   Scene scene = channel(4.0, 1.0);
-  scene.tank_edges = kWalledTank;
+  scene.patch_edges = kWallsAround;
   const double empty = level_of(scene);
   add_block(scene, {2, -0.5, -0.5}, {4.5, 2.5, 2});
   EXPECT_NEAR(level_of(scene), empty, 1e-12);

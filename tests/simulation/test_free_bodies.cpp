@@ -28,7 +28,7 @@ TEST(FreeBodies, TakeWhatTheWaterGives) {
   for (const SolverKind solver : kAllSolvers) {
     Scene scene = floating_box(0.5, solver);
     scene.gravity = 0.0;
-    scene.tank = {{-3, -3, -3}, {3, 3, 3}};
+    scene.patch = {{-3, -3, -3}, {3, 3, 3}};
     scene.water.blocks = {{{-1, -1, -1}, {1, 1, 1}}};
     scene.water.settle_steps = 0;
     scene.water.kinematic_viscosity = 0.0;

@@ -145,7 +145,7 @@ TEST(FreeBodyRuns, RestOnSceneryAndArePushedByDrivenHulls) {
 
 TEST(FreeBodyRuns, AreLedInTheHorizontalAndFloatByThemselves) {
   Scene scene = floating_box(0.5);
-  scene.tank.max.x() = 6.0;
+  scene.patch.max.x() = 6.0;
   scene.water.blocks[0].max.x() = 6.0;
   scene.bodies[0].drive = BodyDrive::kPoseHorizontal;
   World world(scene, {2, nullptr, {}});
@@ -220,12 +220,12 @@ TEST(FreeBodyRuns, CarryTheirWeightAsLoad) {
 }
 
 /// A buoy and a slick side by side, in a current of 0.5 m/s to the east; d = 0.2 m, 1.2 m of water.
-Scene drifters(TankEdge ends) {
+Scene drifters(PatchEdge ends) {
   Scene scene;
   scene.name = "drifters";
   scene.particle_spacing = 0.2;
-  scene.tank = {{0, 0, 0}, {6.4, 3.2, 2.4}};
-  scene.tank_edges = {ends, TankEdge::kMirror, TankEdge::kMirror};
+  scene.patch = {{0, 0, 0}, {6.4, 3.2, 2.4}};
+  scene.patch_edges = {ends, PatchEdge::kMirror, PatchEdge::kMirror};
   scene.water.blocks = {{{0, 0, 0}, {6.4, 3.2, 1.2}}};
   scene.water.settle_steps = 100;
   scene.current.emplace();
@@ -253,7 +253,7 @@ double middle_of_slick(const World& world) {
   return x / mass;
 }
 
-class FreeBodyDrift : public testing::TestWithParam<TankEdge> {};
+class FreeBodyDrift : public testing::TestWithParam<PatchEdge> {};
 
 TEST_P(FreeBodyDrift, GoesWithTheCurrentAsTheSlickDoes) {
   // Between walls the particles stay, between periodic faces they flow: what drifts must not tell the difference.
@@ -281,11 +281,11 @@ TEST_P(FreeBodyDrift, GoesWithTheCurrentAsTheSlickDoes) {
   EXPECT_LT(std::abs(along), 0.03 * lift);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ends, FreeBodyDrift, testing::Values(TankEdge::kWall, TankEdge::kPeriodic),
-                         [](const auto& ends) { return ends.param == TankEdge::kWall ? "Walled" : "Periodic"; });
+INSTANTIATE_TEST_SUITE_P(Ends, FreeBodyDrift, testing::Values(PatchEdge::kWall, PatchEdge::kPeriodic),
+                         [](const auto& ends) { return ends.param == PatchEdge::kWall ? "Walled" : "Periodic"; });
 
 TEST(FreeBodyRuns, StopAtTheWallThatACurrentCarriesThemTo) {
-  Scene scene = drifters(TankEdge::kWall);
+  Scene scene = drifters(PatchEdge::kWall);
   scene.oil.reset();
   scene.bodies[0].position.x() = 5.5;  // 0.4 m of way
   World world(scene, {2, nullptr, {}});
@@ -295,7 +295,7 @@ TEST(FreeBodyRuns, StopAtTheWallThatACurrentCarriesThemTo) {
 }
 
 TEST(FreeBodyRuns, DriftWithTheSameBitsForAnyNumberOfThreads) {
-  World one(drifters(TankEdge::kWall), {1, nullptr, {}}), many(drifters(TankEdge::kWall), {5, nullptr, {}});
+  World one(drifters(PatchEdge::kWall), {1, nullptr, {}}), many(drifters(PatchEdge::kWall), {5, nullptr, {}});
   for (int step = 0; step < 60; ++step) {
     one.advance();
     many.advance();

@@ -55,14 +55,14 @@ class BoatFile {
   std::string path_;
 };
 
-/// The boat in a tank of 6 x 5 x 3 m with 1.5 m of water, its level at z = 0; d = 0.125 m.
+/// The boat in a patch of 6 x 5 x 3 m with 1.5 m of water, its level at z = 0; d = 0.125 m.
 /// @param bottom  z of the boat's bottom, m
 Scene afloat(const BoatFile& boat, double bottom, BodyDrive drive = BodyDrive::kFree) {
   Scene scene;
   scene.name = "afloat";
   scene.particle_spacing = 0.125;
-  scene.tank = {{-3, -2.5, -1.5}, {3, 2.5, 1.5}};
-  scene.tank_edges = {TankEdge::kMirror, TankEdge::kMirror, TankEdge::kMirror};
+  scene.patch = {{-3, -2.5, -1.5}, {3, 2.5, 1.5}};
+  scene.patch_edges = {PatchEdge::kMirror, PatchEdge::kMirror, PatchEdge::kMirror};
   scene.water.blocks = {{{-3, -2.5, -1.5}, {3, 2.5, 0}}};
   scene.water.settle_steps = 1;  // a snapshot needs neighbours
   BodySettings body;

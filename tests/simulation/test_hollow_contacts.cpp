@@ -49,13 +49,13 @@ class DockFile {
   std::string path_;
 };
 
-/// The dock with its floor at z = 1 m and a ball between its walls, above a puddle in a corner of the tank.
+/// The dock with its floor at z = 1 m and a ball between its walls, above a puddle in a corner of the patch.
 Scene docked(const DockFile& dock, BodyDrive drive, double gravity) {
   Scene scene;
   scene.name = "docked";
   scene.particle_spacing = 0.25;
   scene.gravity = gravity;
-  scene.tank = {{-4, -4, 0}, {4, 4, 4}};
+  scene.patch = {{-4, -4, 0}, {4, 4, 4}};
   scene.water.blocks = {{{-4, -4, 0}, {-3, -3, 0.75}}};
   BodySettings body;
   body.id = 1;

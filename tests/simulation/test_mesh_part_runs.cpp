@@ -48,7 +48,7 @@ class BlocksFile {
   int first_ = 1;
 };
 
-/// A quay wall across a tank, water on one side, 9 particles deep; seconds that it has to hold it.
+/// A quay wall across a patch, water on one side, 9 particles deep; seconds that it has to hold it.
 struct Leak {
   std::size_t inside = 0, behind = 0;
 };
@@ -56,7 +56,7 @@ Leak leak_through(const std::vector<Block>& wall, double seconds) {
   const BlocksFile file(wall);
   Scene scene;
   scene.particle_spacing = 0.1;
-  scene.tank = {{-1.2, 0, 0}, {1.2, 0.8, 1.4}};
+  scene.patch = {{-1.2, 0, 0}, {1.2, 0.8, 1.4}};
   scene.water.blocks = {{{-1.2, 0, 0}, {-0.3, 0.8, 0.9}}};
   scene.water.settle_steps = 50;
   BodySettings quay;
@@ -89,8 +89,8 @@ TEST(MeshPartRuns, AnOpenBoatThatJustFitsIsLoweredAndFloatsByHerWeight) {
   const BlocksFile file(open_boat());
   Scene scene;
   scene.particle_spacing = 0.1;
-  scene.tank = {{-1, -1.5, -1}, {1, 1.5, 1}};
-  scene.tank_edges = {TankEdge::kMirror, TankEdge::kMirror, TankEdge::kMirror};
+  scene.patch = {{-1, -1.5, -1}, {1, 1.5, 1}};
+  scene.patch_edges = {PatchEdge::kMirror, PatchEdge::kMirror, PatchEdge::kMirror};
   scene.water.blocks = {{{-1, -1.5, -1}, {1, 1.5, 0}}};
   scene.water.settle_steps = 100;
   BodySettings boat;

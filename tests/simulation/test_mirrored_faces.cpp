@@ -20,8 +20,8 @@ Scene gated(double thickness, double past, BodyDrive drive = BodyDrive::kStatic)
   Scene scene;
   scene.name = "gated";
   scene.particle_spacing = kSpacing;
-  scene.tank = {{-1, 0, 0}, {1, 0.8, 1.4}};
-  scene.tank_edges = {TankEdge::kWall, TankEdge::kMirror, TankEdge::kMirror};
+  scene.patch = {{-1, 0, 0}, {1, 0.8, 1.4}};
+  scene.patch_edges = {PatchEdge::kWall, PatchEdge::kMirror, PatchEdge::kMirror};
   scene.water.blocks = {{{-1, 0, 0}, {-0.5 * thickness, 0.8, 0.8}}};
   scene.water.settle_steps = 0;
   BodySettings gate;
@@ -59,12 +59,12 @@ TEST(MirroredFaces, WhatStaysAboveTheWaterIsFine) {
   EXPECT_THAT(notes_of(scene), IsEmpty());
 }
 
-TEST(MirroredFaces, TheTopOfTheTankAboveTheWaterIsNoFace) {
+TEST(MirroredFaces, TheTopOfThePatchAboveTheWaterIsNoFace) {
   Scene scene = gated(0.2, 0.1);
   scene.water.blocks = {{{-1, 0, 0}, {1, 0.8, 0.8}}};
-  scene.tank.max.z() = 1.0;
+  scene.patch.max.z() = 1.0;
   EXPECT_THAT(notes_of(scene), IsEmpty()) << "two spacings above it, the gate goes on past it";
-  scene.tank.max.z() = 1.3;
+  scene.patch.max.z() = 1.3;
   EXPECT_THAT(notes_of(scene), IsEmpty()) << "the gate ends before it";
 }
 
@@ -130,7 +130,7 @@ TEST(MirroredFaces, SamplesOfAPlateLeaveGapsAtTheFace) {
 
 TEST(MirroredFaces, WallsHoldItAsWell) {
   Scene scene = gated(0.1, 0.0);
-  scene.tank_edges = kWalledTank;
+  scene.patch_edges = kWallsAround;
   EXPECT_EQ(leaked(scene), 0);
 }
 

@@ -86,9 +86,9 @@ TEST(OilSpill, SkimmerRecoversAndTellsWhenItIsDry) {
   EXPECT_TRUE(test::budget_of(world).skimmers[0].dry) << "far, by name first, on dry water";
 }
 
-TEST(OilSpill, DriftsWithACurrentThatTheTankCannotFollow) {
+TEST(OilSpill, DriftsWithACurrentThatThePatchCannotFollow) {
   Scene scene = test::oily_patch(OilModel::kSlick);
-  scene.tank_edges = {TankEdge::kMirror, TankEdge::kMirror, TankEdge::kMirror};
+  scene.patch_edges = {PatchEdge::kMirror, PatchEdge::kMirror, PatchEdge::kMirror};
   World world = make_world(scene);
   ASSERT_EQ(test::give(world, OilCommand{SpillOil{{1.5, 2.0}, 0.01, 0.3}}), std::nullopt);
   SetCurrent current;
@@ -108,7 +108,7 @@ TEST(OilSpill, DriftsWithThreeHundredthsOfTheWindUnderEveryLaw) {
   for (const WindLaw law : {WindLaw::kGust, WindLaw::kStress}) {
     SCOPED_TRACE(static_cast<int>(law));
     Scene scene = test::oily_patch(OilModel::kSlick);
-    scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kMirror, TankEdge::kMirror};
+    scene.patch_edges = {PatchEdge::kPeriodic, PatchEdge::kMirror, PatchEdge::kMirror};
     scene.wind.emplace();
     scene.wind->law = law;
     scene.wind->velocity = {10.0, 0.0, 0.0};
@@ -233,8 +233,9 @@ TEST(OilSpill, RefusesWhatCannotBe) {
   World world = make_world(test::oily_patch(OilModel::kParticles));
   ReleaseOil wrong = leak();
   wrong.from.x() = 7.0;
-  EXPECT_THAT(test::give(world, OilCommand{wrong}), Optional(AllOf(HasSubstr("from: (7, 2, 0.5) m is outside the tank"),
-                                                                   HasSubstr("allowed: (0, 0, 0) to (5, 4, 3)"))));
+  EXPECT_THAT(test::give(world, OilCommand{wrong}),
+              Optional(AllOf(HasSubstr("from: (7, 2, 0.5) m is outside the patch"),
+                             HasSubstr("allowed: (0, 0, 0) to (5, 4, 3)"))));
   wrong = leak();
   wrong.body = 9;
   EXPECT_THAT(test::give(world, OilCommand{wrong}), Optional(HasSubstr("body: the scene has no body 9")));

@@ -67,7 +67,7 @@ TEST(OilWaits, NotAtTheBoundWhereThereIsAFilm) {
 
 TEST(OilWaits, OnDryGroundUntilTheWaterComes) {
   Scene scene = test::small_patch();
-  scene.tank.max.x() = 10.0;
+  scene.patch.max.x() = 10.0;
   scene.water.settle_steps = 0;  // 5 m of water begin to run out over 5 m of dry floor
   World world(test::oily_patch(OilModel::kSlick, scene), {1, nullptr, {}});
   ASSERT_EQ(test::give(world, OilCommand{source_at(9.5, 2.0, 0.2)}), std::nullopt);

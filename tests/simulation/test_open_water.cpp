@@ -28,7 +28,7 @@ class OpenWaterTest : public testing::Test {
   }
   const OpenWater& water() {
     scene_.particle_spacing = kSpacing;
-    scene_.tank = {{-20, -10, -3}, {20, 10, 3}};
+    scene_.patch = {{-20, -10, -3}, {20, 10, 3}};
     std::vector<std::string> faults;
     bodies_ = Bodies(pool_, scene_, 2.0 * kSpacing, faults);
     EXPECT_TRUE(faults.empty()) << faults.front();

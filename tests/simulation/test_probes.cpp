@@ -39,7 +39,7 @@ ProbeReading read_one(const World& world) {
 
 TEST(Probes, StillWaterReadsItsVolumeOverItsArea) {
   Scene scene = deep_patch();
-  scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kPeriodic, TankEdge::kMirror};  // no walls that take room
+  scene.patch_edges = {PatchEdge::kPeriodic, PatchEdge::kPeriodic, PatchEdge::kMirror};  // no walls that take room
   scene.probes = {probe_at(2.5, 2.0)};
   const World world(scene, {1, nullptr, {}});
   const double d = scene.particle_spacing;
@@ -153,7 +153,7 @@ TEST(Probes, AreRefusedWhereTheyCannotBe) {
   ProbeSettings on_nobody = probe_at(1.0, 1.0);
   on_nobody.body = 9;
   EXPECT_THAT(test::give(world, SetProbe{on_nobody}), Optional(HasSubstr("no body 9; allowed: ")));
-  EXPECT_THAT(test::give(world, SetProbe{probe_at(6.0, 1.0)}), Optional(HasSubstr("(6, 1) m is outside the tank")));
+  EXPECT_THAT(test::give(world, SetProbe{probe_at(6.0, 1.0)}), Optional(HasSubstr("(6, 1) m is outside the patch")));
   EXPECT_THAT(test::give(world, RemoveProbe{3}), Optional(HasSubstr("no probe 3")));
   for (std::uint32_t id = 1; id <= kMostProbes; ++id)
     ASSERT_EQ(test::give(world, SetProbe{probe_at(1.0, 1.0, id)}), std::nullopt);

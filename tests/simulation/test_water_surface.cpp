@@ -19,10 +19,10 @@ class WaterSurfaceTest : public testing::Test {
  protected:
   static Scene scene() {
     Scene scene = test::small_patch();
-    scene.tank = {{0, 0, 0}, {16, 12, 4}};
+    scene.patch = {{0, 0, 0}, {16, 12, 4}};
     scene.water.blocks = {{{0, 0, 0}, {16, 12, 2}}};
     scene.water.settle_steps = 20;
-    scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kPeriodic, TankEdge::kWall};
+    scene.patch_edges = {PatchEdge::kPeriodic, PatchEdge::kPeriodic, PatchEdge::kWall};
     scene.far_sea = {5, 60.0, 24};
     scene.wind.emplace();
     scene.wind->velocity = {12.0, 3.0, 0.0};
@@ -30,14 +30,14 @@ class WaterSurfaceTest : public testing::Test {
   }
   void SetUp() override {
     while (world_.time() < 1.0) (void)world_.advance();
-    const Region& tank = world_.fluid().parameters.tank;
-    min_ = {tank.min[0], tank.min[1]};
-    max_ = {tank.max[0], tank.max[1]};
+    const Region& patch = world_.fluid().parameters.tank;
+    min_ = {patch.min[0], patch.min[1]};
+    max_ = {patch.max[0], patch.max[1]};
   }
   [[nodiscard]] SurfaceSurroundings around(const PatchBlend& blend) const {
     return {world_.patch(), world_.fluid().parameters.tank, blend};
   }
-  /// Places up to 8 m outside the tank.
+  /// Places up to 8 m outside the patch.
   [[nodiscard]] std::vector<SurfacePlace> places(std::size_t count) const {
     SplitMix64 random(3);
     std::vector<SurfacePlace> places;
@@ -129,7 +129,7 @@ TEST_F(WaterSurfaceTest, HasTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
-TEST(WaterSurface, ProbesThatABodyCarriesOutsideTheTankReadTheFarSea) {
+TEST(WaterSurface, ProbesThatABodyCarriesOutsideThePatchReadTheFarSea) {
   const test::CubeFile cube;
   Scene scene = test::patch_with_cube(cube);
   scene.far_sea = {6, 60.0, 24};

@@ -170,7 +170,7 @@ TEST(World, NoWindCostsNothingAndWindCarriesTheWater) {
 /// at most `step`. What single particles move besides is the method's noise and no gain.
 double energy_gained(WindLaw law, double step) {
   Scene scene = small_patch();
-  scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kPeriodic, TankEdge::kMirror};
+  scene.patch_edges = {PatchEdge::kPeriodic, PatchEdge::kPeriodic, PatchEdge::kMirror};
   scene.water.settle_steps = 0;
   scene.time_step.max_step = step;
   scene.wind = breeze();

@@ -124,7 +124,7 @@ class WorldFaultsOfSolver : public testing::TestWithParam<SolverKind> {};
 TEST_P(WorldFaultsOfSolver, GoOnFinite) {
   Scene scene = restoring(small_patch());
   scene.solver.kind = GetParam();
-  scene.tank_edges[0] = TankEdge::kPeriodic;  // images are made anew too
+  scene.patch_edges[0] = PatchEdge::kPeriodic;  // images are made anew too
   World world(scene, {2, nullptr, {}});
   for (int step = 0; step < 5; ++step) ASSERT_EQ(world.advance().fault, StepFault::kNone);
   break_a_particle(world);

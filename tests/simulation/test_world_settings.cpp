@@ -79,9 +79,9 @@ TEST(WorldEffort, AToleranceOutOfReachIsReportedInEveryStep) {
 }
 
 TEST(WorldEdges, RefusesABodyNearAPeriodicFace) {
-  const CubeFile cube;  // 1 m, at (2.5, 2, 0.9) in a tank of 5 x 4 m; the support radius is 0.5 m
+  const CubeFile cube;  // 1 m, at (2.5, 2, 0.9) in a patch of 5 x 4 m; the support radius is 0.5 m
   Scene scene = patch_with_cube(cube);
-  scene.tank_edges[0] = TankEdge::kPeriodic;
+  scene.patch_edges[0] = PatchEdge::kPeriodic;
   EXPECT_NO_THROW(World(scene, {1, nullptr, {}}));
   scene.bodies[0].position.x() = 1.01;  // its face at 0.51
   EXPECT_NO_THROW(World(scene, {1, nullptr, {}}));
@@ -92,13 +92,13 @@ TEST(WorldEdges, RefusesABodyNearAPeriodicFace) {
   } catch (const std::invalid_argument& error) {
     EXPECT_THAT(error.what(), HasSubstr("periodic face across x; allowed: at least a support radius, 0.5"));
   }
-  scene.tank_edges[0] = TankEdge::kWall;
+  scene.patch_edges[0] = PatchEdge::kWall;
   EXPECT_NO_THROW(World(scene, {1, nullptr, {}}));
 }
 
 TEST(WorldEdges, PeriodicWaterKeepsItsMotionAndItsParticles) {
   Scene scene = small_patch();
-  scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kMirror, TankEdge::kWall};
+  scene.patch_edges = {PatchEdge::kPeriodic, PatchEdge::kMirror, PatchEdge::kWall};
   World world(scene, {2, nullptr, {}});
   EXPECT_EQ(world.fluid().particles.count, 20U * 16U * 5U);
   EXPECT_NEAR(world.water_level(), 5 * 0.25, 1e-12);

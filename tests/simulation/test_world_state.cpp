@@ -63,7 +63,7 @@ TEST(WorldState, GoesOnWithEverySolver) {
 
 TEST(WorldState, GoesOnBetweenMirroredAndPeriodicFaces) {
   Scene scene = small_patch();
-  scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kMirror, TankEdge::kMirror};
+  scene.patch_edges = {PatchEdge::kPeriodic, PatchEdge::kMirror, PatchEdge::kMirror};
   expect_same_run(scene, 5, 12);
 }
 
@@ -116,7 +116,7 @@ TEST(WorldState, GoesOnWithAnOilRelease) {
 
 TEST(WorldState, GoesOnWithACurrentThatIsSlowedDown) {
   Scene scene = small_patch();
-  scene.tank_edges[0] = TankEdge::kPeriodic;
+  scene.patch_edges[0] = PatchEdge::kPeriodic;
   scene.current.emplace();
   scene.current->velocity = {0.8, 0.3, 0.0};
   scene.current->relaxation = 0.5;
@@ -233,11 +233,11 @@ TEST_F(StateFile, StatesOfOtherScenesAreRefused) {
   other.name = "harbour";
   expect_refused(save_state(World(other, {1, nullptr, {}})), "it is of scene harbour; allowed: scene small_patch");
   other = oily_patch(OilModel::kBoth);
-  other.tank.max.x() = 6.0;
-  expect_refused(save_state(World(other, {1, nullptr, {}})), "another tank");
+  other.patch.max.x() = 6.0;
+  expect_refused(save_state(World(other, {1, nullptr, {}})), "another patch");
   other = oily_patch(OilModel::kBoth);
   other.particle_spacing = 0.3;
-  expect_refused(save_state(World(other, {1, nullptr, {}})), "another tank");
+  expect_refused(save_state(World(other, {1, nullptr, {}})), "another patch");
 }
 
 }  // namespace

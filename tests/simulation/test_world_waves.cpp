@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "basin.hpp"
+#include "small_patch.hpp"
 #include "fields/field_hash.hpp"
 #include "give.hpp"
 #include "same_run.hpp"
@@ -13,14 +13,14 @@ namespace pelagos {
 
 namespace {
 
-using test::basin;
+using test::small_patch;
 using test::expect_same_run;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Optional;
 
-Scene basin_in_a_sea() {
-  Scene scene = basin();
+Scene patch_in_a_sea() {
+  Scene scene = small_patch();
   scene.far_sea = {4, 60.0, 24};
   return scene;
 }
@@ -34,7 +34,7 @@ float elevation_of(const World& world) {
 }
 
 TEST(WorldWaves, AreThoseOfTheScene) {
-  Scene scene = basin();
+  Scene scene = small_patch();
   scene.far_sea.waves = swell(0.0).waves;
   const World world(scene, {1, nullptr, {}});
   ASSERT_EQ(world.sea().components().size(), 2U);
@@ -43,7 +43,7 @@ TEST(WorldWaves, AreThoseOfTheScene) {
 }
 
 TEST(WorldWaves, BlendWithoutAJumpIntoThoseOfTheCommand) {
-  World world(basin_in_a_sea(), {1, nullptr, {}});
+  World world(patch_in_a_sea(), {1, nullptr, {}});
   for (int n = 0; n < 3; ++n) world.advance();
   const double start = world.time();
   ASSERT_EQ(test::give(world, swell(0.5)), std::nullopt);
@@ -66,7 +66,7 @@ TEST(WorldWaves, BlendWithoutAJumpIntoThoseOfTheCommand) {
 }
 
 TEST(WorldWaves, OfASecondCommandComeWhileTheFirstStillBlends) {
-  World world(basin_in_a_sea(), {1, nullptr, {}});
+  World world(patch_in_a_sea(), {1, nullptr, {}});
   ASSERT_EQ(test::give(world, swell(2.0)), std::nullopt);
   for (int n = 0; n < 5; ++n) world.advance();
   const float before = elevation_of(world);
@@ -77,7 +77,7 @@ TEST(WorldWaves, OfASecondCommandComeWhileTheFirstStillBlends) {
 }
 
 TEST(WorldWaves, GoOnInTheMiddleOfABlendFromAFile) {
-  expect_same_run(basin_in_a_sea(), 12, 30, [](World& world, std::uint64_t step) {
+  expect_same_run(patch_in_a_sea(), 12, 30, [](World& world, std::uint64_t step) {
     if (step == 3) {
       ASSERT_EQ(test::give(world, swell(0.8)), std::nullopt);
     }
@@ -91,14 +91,14 @@ TEST(WorldWaves, GoOnInTheMiddleOfABlendFromAFile) {
 }
 
 TEST(WorldWaves, ArePartOfTheState) {
-  World one(basin_in_a_sea(), {1, nullptr, {}}), other(basin_in_a_sea(), {1, nullptr, {}});
+  World one(patch_in_a_sea(), {1, nullptr, {}}), other(patch_in_a_sea(), {1, nullptr, {}});
   ASSERT_EQ(test::give(other, swell(5.0)), std::nullopt);
   EXPECT_EQ(test::first_difference(one, other), "sea.layers.size: 1 and 2");
 }
 
 /// Bytes that were made by hand may hold a sea without layers; no command makes one.
 TEST(WorldWaves, OfAStateWithoutLayersAreNotAccepted) {
-  const World world(basin_in_a_sea(), {1, nullptr, {}});
+  const World world(patch_in_a_sea(), {1, nullptr, {}});
   WorldState state = world.state();
   EXPECT_TRUE(world.accepts(state));
   from_bytes(std::vector<std::byte>(24), state.sea);  // no layers, level 0, depth 0
@@ -106,7 +106,7 @@ TEST(WorldWaves, OfAStateWithoutLayersAreNotAccepted) {
 }
 
 TEST(WorldWaves, AreRefusedWithTheValueAndWhatIsAllowed) {
-  World world(basin_in_a_sea(), {1, nullptr, {}});
+  World world(patch_in_a_sea(), {1, nullptr, {}});
   const auto expect_refused = [&](const SetWaves& command, const auto& why) {
     const std::uint64_t before = hash_fields(world.state());
     EXPECT_THAT(test::give(world, command), Optional(why));

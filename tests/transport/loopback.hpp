@@ -43,7 +43,7 @@ inline SceneInfo test_scene() {
   info.seed = 42;
   info.particle_spacing = 0.5;
   info.water_level = 1.25;
-  info.tank = {{-5.0, -4.0, 0.0}, {5.0, 4.0, 6.0}};
+  info.patch = {{-5.0, -4.0, 0.0}, {5.0, 4.0, 6.0}};
   info.tank_walls_visible = true;
   info.origin = {54.1, 12.1, 3.0};
   info.sea = WaveField({{0.5F, 0.2F, 1.4F, 0.7F, 2.0F}, {0.25F, 0.4F, 1.98F, 0.8F, 3.0F}}, info.water_level);

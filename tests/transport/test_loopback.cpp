@@ -82,8 +82,8 @@ TEST_F(Loopback, LateViewerGetsTheScene) {
   EXPECT_EQ(info.frame_interval, sent.frame_interval);
   EXPECT_EQ(info.particle_spacing, sent.particle_spacing);
   EXPECT_EQ(info.water_level, sent.water_level);
-  EXPECT_EQ(info.tank.min, sent.tank.min);
-  EXPECT_EQ(info.tank.max, sent.tank.max);
+  EXPECT_EQ(info.patch.min, sent.patch.min);
+  EXPECT_EQ(info.patch.max, sent.patch.max);
   EXPECT_EQ(info.tank_walls_visible, sent.tank_walls_visible);
   EXPECT_EQ(info.origin.latitude_deg, sent.origin.latitude_deg);
   EXPECT_EQ(info.origin.longitude_deg, sent.origin.longitude_deg);

@@ -5,8 +5,10 @@
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
+#include <utility>
 
 #include "check_characters.hpp"
 
@@ -135,7 +137,14 @@ std::optional<FieldFault> check_tokens(std::string_view text, const Descriptor* 
   return std::nullopt;
 }
 
+/// Fields of scenes by the names that they had before, and their present ones.
+constexpr std::array<std::pair<const char*, const char*>, 2> kRenamed{
+    {{"tank", "patch"}, {"tank_edges", "patch_edges"}}};
+
 std::string describe_unknown(const std::string& name, const Descriptor* message) {
+  for (const auto& [before, now] : kRenamed)
+    if (name == before && message != nullptr && message->FindFieldByName(now) != nullptr)
+      return std::string("unknown field; its name is \"") + now + "\" now";
   std::vector<std::string> known;
   std::string list;
   for (int i = 0; message != nullptr && i < message->field_count(); ++i) {

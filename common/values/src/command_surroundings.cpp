@@ -19,26 +19,26 @@ Fault find_wrong_body(std::uint32_t body, const CommandSurroundings& around) {
                                     allowed.empty() ? "none, it has no bodies" : allowed)};
 }
 
-Fault find_place_outside(const char* field, const Eigen::Vector2d& place, const Box& tank) {
+Fault find_place_outside(const char* field, const Eigen::Vector2d& place, const Box& patch) {
   const auto x = place.array();
-  if ((x >= tank.min.head<2>().array()).all() && (x <= tank.max.head<2>().array()).all()) return {};
-  return Misfit{field, fmt::format("({:g}, {:g}) m is outside the tank; allowed: ({:g}, {:g}) to ({:g}, {:g}) m",
-                                   place.x(), place.y(), tank.min.x(), tank.min.y(), tank.max.x(), tank.max.y())};
+  if ((x >= patch.min.head<2>().array()).all() && (x <= patch.max.head<2>().array()).all()) return {};
+  return Misfit{field, fmt::format("({:g}, {:g}) m is outside the patch; allowed: ({:g}, {:g}) to ({:g}, {:g}) m",
+                                   place.x(), place.y(), patch.min.x(), patch.min.y(), patch.max.x(), patch.max.y())};
 }
 
-Fault find_place_outside(const char* field, const Eigen::Vector3d& place, const Box& tank) {
-  if ((place.array() >= tank.min.array()).all() && (place.array() <= tank.max.array()).all()) return {};
-  return Misfit{field, fmt::format("({:g}, {:g}, {:g}) m is outside the tank; allowed: ({:g}, {:g}, {:g}) to "
+Fault find_place_outside(const char* field, const Eigen::Vector3d& place, const Box& patch) {
+  if ((place.array() >= patch.min.array()).all() && (place.array() <= patch.max.array()).all()) return {};
+  return Misfit{field, fmt::format("({:g}, {:g}, {:g}) m is outside the patch; allowed: ({:g}, {:g}, {:g}) to "
                                    "({:g}, {:g}, {:g}) m",
-                                   place.x(), place.y(), place.z(), tank.min.x(), tank.min.y(), tank.min.z(),
-                                   tank.max.x(), tank.max.y(), tank.max.z())};
+                                   place.x(), place.y(), place.z(), patch.min.x(), patch.min.y(), patch.min.z(),
+                                   patch.max.x(), patch.max.y(), patch.max.z())};
 }
 
-/// Whether a piece of the line from a to b lies over the tank: the part of it within both pairs of faces.
-bool crosses(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Box& tank) {
+/// Whether a piece of the line from a to b lies over the patch: the part of it within both pairs of faces.
+bool crosses(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Box& patch) {
   double first = 0.0, last = 1.0;
   for (int axis = 0; axis < 2; ++axis) {
-    const double way = b[axis] - a[axis], to_min = tank.min[axis] - a[axis], to_max = tank.max[axis] - a[axis];
+    const double way = b[axis] - a[axis], to_min = patch.min[axis] - a[axis], to_max = patch.max[axis] - a[axis];
     if (way == 0.0) {
       if (to_min > 0.0 || to_max < 0.0) return false;
       continue;
@@ -49,13 +49,13 @@ bool crosses(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Box& tank
   return first <= last;
 }
 
-/// A boom may be moored beyond the tank, but not miss it.
-Fault find_boom_outside(const std::vector<Eigen::Vector2d>& line, const Box& tank) {
+/// A boom may be moored beyond the patch, but not miss it.
+Fault find_boom_outside(const std::vector<Eigen::Vector2d>& line, const Box& patch) {
   for (std::size_t i = 1; i < line.size(); ++i)
-    if (crosses(line[i - 1], line[i], tank)) return {};
-  return Misfit{"point", fmt::format("all of the boom is outside the tank; allowed: some of it within ({:g}, {:g}) to "
+    if (crosses(line[i - 1], line[i], patch)) return {};
+  return Misfit{"point", fmt::format("all of the boom is outside the patch; allowed: some of it within ({:g}, {:g}) to "
                                      "({:g}, {:g}) m",
-                                     tank.min.x(), tank.min.y(), tank.max.x(), tank.max.y())};
+                                     patch.min.x(), patch.min.y(), patch.max.x(), patch.max.y())};
 }
 
 /// What works on the film alone.
@@ -71,20 +71,20 @@ struct OilChecker {
 
   Fault operator()(const ReleaseOil& c) const {
     if (c.body != 0) return find_wrong_body(c.body, around);
-    if (auto fault = find_place_outside("from", c.from, around.tank)) return fault;
-    return find_place_outside("to", c.to, around.tank);
+    if (auto fault = find_place_outside("from", c.from, around.patch)) return fault;
+    return find_place_outside("to", c.to, around.patch);
   }
   Fault operator()(const SpillOil& c) const {
     if (auto fault = find_missing_film("an instant slick", around)) return fault;
-    return find_place_outside("position", c.position, around.tank);
+    return find_place_outside("position", c.position, around.patch);
   }
   Fault operator()(const SetBoom& c) const {
     if (auto fault = find_missing_film("a boom", around)) return fault;
-    return find_boom_outside(c.line, around.tank);
+    return find_boom_outside(c.line, around.patch);
   }
   Fault operator()(const SetSkimmer& c) const {
     if (auto fault = find_missing_film("a skimmer", around)) return fault;
-    return find_place_outside("position", c.position, around.tank);
+    return find_place_outside("position", c.position, around.patch);
   }
   Fault operator()(const StopRelease&) const { return {}; }
   Fault operator()(const RemoveBoom&) const { return {}; }
@@ -93,14 +93,14 @@ struct OilChecker {
 
 Fault find_wrong_probe(const ProbeSettings& probe, const CommandSurroundings& around) {
   if (probe.body != 0) return find_wrong_body(probe.body, around);
-  return find_place_outside("position", Eigen::Vector2d(probe.position.head<2>()), around.tank);
+  return find_place_outside("position", Eigen::Vector2d(probe.position.head<2>()), around.patch);
 }
 
 }  // namespace
 
 CommandSurroundings command_surroundings(const Scene& scene) {
   CommandSurroundings around;
-  around.tank = scene.tank;
+  around.patch = scene.patch;
   for (const BodySettings& body : scene.bodies) around.bodies.push_back(body.id);
   if (scene.oil) around.oil = scene.oil->model;
   if (scene.gravity > 0.0) around.gravity = scene.gravity;

@@ -29,7 +29,7 @@ const char* describe_health(PoseHealth health) {
 
 void Watches::look(const World& world, const Snapshot& frame, Announcer& announcer) {
   look_at_health(frame.bodies, announcer);
-  look_at_places(world.scene().tank, frame.bodies, announcer);
+  look_at_places(world.scene().patch, frame.bodies, announcer);
   for (const std::string& news : holds_.look(world.bodies().holds())) announcer.announce("hold", "server", news);
   if (frame.oil) look_at_oil(frame.oil->budget, world.time(), announcer);
 }
@@ -44,18 +44,18 @@ void Watches::look_at_health(const std::vector<BodyState>& states, Announcer& an
   }
 }
 
-void Watches::look_at_places(const Box& tank, const std::vector<BodyState>& states, Announcer& announcer) {
+void Watches::look_at_places(const Box& patch, const std::vector<BodyState>& states, Announcer& announcer) {
   outside_.resize(states.size(), false);
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Eigen::Vector3d& x = states[i].position;
-    const bool outside = (x.array() < tank.min.array()).any() || (x.array() > tank.max.array()).any();
+    const bool outside = (x.array() < patch.min.array()).any() || (x.array() > patch.max.array()).any();
     if (outside == outside_[i]) continue;
     outside_[i] = outside;
     const std::string where =
         fmt::format("body {} at ({:.1f}, {:.1f}, {:.1f}) m ", states[i].body, x.x(), x.y(), x.z());
-    if (outside) log_warning(where + "has left the tank: it meets no water there");
+    if (outside) log_warning(where + "has left the patch: it meets no water there");
     announcer.announce(outside ? "body_outside" : "body_inside", "server",
-                       where + (outside ? "has left the tank" : "is inside the tank again"));
+                       where + (outside ? "has left the patch" : "is inside the patch again"));
   }
 }
 
@@ -101,8 +101,8 @@ void Watches::look_at_current(const World& world) {
       axes += (axes.empty() ? "" : " and ") + std::string(1, static_cast<char>('x' + axis));
   if (axes.empty()) return;
   closed_axes_noticed_ = true;
-  log_info("notice: the tank is closed along " + axes +
-           ": there the current carries only what drifts, the water stays (tank_edges PERIODIC lets it flow)");
+  log_info("notice: the patch is closed along " + axes +
+           ": there the current carries only what drifts, the water stays (patch_edges PERIODIC lets it flow)");
 }
 
 }  // namespace pelagos

@@ -23,13 +23,13 @@ class Watches {
 
  private:
   void look_at_health(const std::vector<BodyState>& states, Announcer& announcer);
-  void look_at_places(const Box& tank, const std::vector<BodyState>& states, Announcer& announcer);
+  void look_at_places(const Box& patch, const std::vector<BodyState>& states, Announcer& announcer);
   void look_at_oil(const OilBudget& oil, double time, Announcer& announcer);
 
   SpillWatch spill_;
   HoldWatch holds_;
   std::vector<PoseHealth> health_;
-  std::vector<bool> outside_;           ///< by body: last seen outside the tank
+  std::vector<bool> outside_;           ///< by body: last seen outside the patch
   std::uint64_t refusals_told_ = 0;     ///< poses refused or corrected at the last event about them
   std::uint64_t requests_dropped_ = 0;  ///< for probes, told so far
   std::int64_t next_refusals_ns_ = 0, next_dropped_ns_ = 0;

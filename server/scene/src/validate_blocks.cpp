@@ -25,13 +25,13 @@ bool overlap(const Box& a, const Box& b, double slack) {
 }
 
 /// Least size of a block that holds a particle: 2 spacings between sampled walls, one where the axis has none.
-Eigen::Vector3d least_block(const TankEdges& edges, double spacing) {
+Eigen::Vector3d least_block(const PatchEdges& edges, double spacing) {
   return 2.0 * spacing * Eigen::Vector3d(lattice_offset(edges[0]), lattice_offset(edges[1]), lattice_offset(edges[2]));
 }
 
-void refuse_small_block(const FieldReader& entry, const Box& block, double spacing, const TankEdges& edges) {
+void refuse_small_block(const FieldReader& entry, const Box& block, double spacing, const PatchEdges& edges) {
   const Eigen::Vector3d least = least_block(edges, spacing);
-  if (edges == kWalledTank) {
+  if (edges == kWallsAround) {
     entry.fault("", "is too small for one particle: " + describe(block.size()) + " m; allowed: at least " +
                         format_number(least.x()) + " m (2 particle spacings) along each axis");
   } else {
@@ -80,8 +80,8 @@ std::vector<Box> BlockReader::read(const FieldReader& liquid, const char* name) 
 
 void BlockReader::place(const FieldReader& entry, std::string name, const Box& block) {
   const double slack = 1e-6 * spacing_.value_or(0.0);
-  if (tank_ && !inside(block, *tank_, slack)) {
-    entry.fault("", "lies at " + describe(block) + "; allowed: inside the tank, " + describe(*tank_));
+  if (patch_ && !inside(block, *patch_, slack)) {
+    entry.fault("", "lies at " + describe(block) + "; allowed: inside the patch, " + describe(*patch_));
   }
   if (spacing_) {
     const double count = particle_count(block, *spacing_, edges_);

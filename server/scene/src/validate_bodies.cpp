@@ -50,14 +50,15 @@ Eigen::Quaterniond read_orientation(const FieldReader& reader) {
   return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
 }
 
-void read_place(const FieldReader& reader, const std::optional<Box>& tank, BodySettings& body) {
+void read_place(const FieldReader& reader, const std::optional<Box>& patch, BodySettings& body) {
   reader.require("position");
-  if (!reader.read("position", {-1e6, 1e6, "m"}, body.position) || !tank) return;
+  if (!reader.read("position", {-1e6, 1e6, "m"}, body.position) || !patch) return;
   const bool inside =
-      (body.position.array() >= tank->min.array()).all() && (body.position.array() <= tank->max.array()).all();
+      (body.position.array() >= patch->min.array()).all() && (body.position.array() <= patch->max.array()).all();
   if (!inside) {
     reader.fault("position", "(" + format_number(body.position.x()) + ", " + format_number(body.position.y()) + ", " +
-                                 format_number(body.position.z()) + ") is outside the tank; allowed: within its walls");
+                                 format_number(body.position.z()) +
+                                 ") is outside the patch; allowed: within its walls");
   }
 }
 
@@ -128,7 +129,7 @@ void read_freedom(const FieldReader& reader, BodySettings& body) {
       reader.fault(name, "is given to a body that is not free; allowed: with drive FREE");
 }
 
-BodySettings read_body(const FieldReader& reader, const std::optional<Box>& tank, const SceneSource& source) {
+BodySettings read_body(const FieldReader& reader, const std::optional<Box>& patch, const SceneSource& source) {
   BodySettings body;
   reader.require("id");
   reader.read("id", {1.0, 4294967295.0}, body.id);
@@ -139,7 +140,7 @@ BodySettings read_body(const FieldReader& reader, const std::optional<Box>& tank
   double inset = 0.0;
   if (reader.has("sample_inset") && reader.read("sample_inset", {0.0, 1.0, "spacings"}, inset))
     body.sample_inset = inset;
-  read_place(reader, tank, body);
+  read_place(reader, patch, body);
   body.orientation = read_orientation(reader);
   body.hold = read_hold(reader, body);
   read_freedom(reader, body);
@@ -148,7 +149,7 @@ BodySettings read_body(const FieldReader& reader, const std::optional<Box>& tank
 
 }  // namespace
 
-std::vector<BodySettings> validate_bodies(const FieldReader& scene_reader, const std::optional<Box>& tank,
+std::vector<BodySettings> validate_bodies(const FieldReader& scene_reader, const std::optional<Box>& patch,
                                           const SceneSource& source) {
   const std::vector<FieldReader> entries = scene_reader.children("body");
   if (entries.size() > kMostBodies) {
@@ -158,7 +159,7 @@ std::vector<BodySettings> validate_bodies(const FieldReader& scene_reader, const
   std::vector<BodySettings> bodies;
   std::map<std::uint32_t, std::size_t> first_with;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    bodies.push_back(read_body(entries[i], tank, source));
+    bodies.push_back(read_body(entries[i], patch, source));
     const std::uint32_t id = bodies.back().id;
     const auto [found, fresh] = first_with.emplace(id, i);
     if (id != 0 && !fresh) {

@@ -50,30 +50,30 @@ Basis read_basis(const FieldReader& reader, const SceneSource& source, Scene& sc
   return basis;
 }
 
-TankEdge read_edge(const FieldReader& reader, const char* axis) {
+PatchEdge read_edge(const FieldReader& reader, const char* axis) {
   switch (reader.read_enum(axis)) {
-    case proto::v1::TankEdges::MIRROR:
-      return TankEdge::kMirror;
-    case proto::v1::TankEdges::PERIODIC:
-      return TankEdge::kPeriodic;
+    case proto::v1::PatchEdges::MIRROR:
+      return PatchEdge::kMirror;
+    case proto::v1::PatchEdges::PERIODIC:
+      return PatchEdge::kPeriodic;
     default:
-      return TankEdge::kWall;
+      return PatchEdge::kWall;
   }
 }
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
 /// A periodic side must hold a whole number of spacings, or the lattice would not meet itself.
-TankEdges read_edges(const FieldReader& reader, const Basis& basis, const std::optional<Box>& tank) {
-  TankEdges edges = kWalledTank;
-  if (!reader.has("tank_edges")) return edges;
-  const FieldReader entry = reader.child("tank_edges");
+PatchEdges read_edges(const FieldReader& reader, const Basis& basis, const std::optional<Box>& patch) {
+  PatchEdges edges = kWallsAround;
+  if (!reader.has("patch_edges")) return edges;
+  const FieldReader entry = reader.child("patch_edges");
   for (std::size_t axis = 0; axis < 3; ++axis) {
     edges[axis] = read_edge(entry, kAxes[axis]);
-    if (edges[axis] != TankEdge::kPeriodic || !tank || !basis.spacing) continue;
-    const double side = tank->size()[static_cast<int>(axis)], count = side / *basis.spacing;
+    if (edges[axis] != PatchEdge::kPeriodic || !patch || !basis.spacing) continue;
+    const double side = patch->size()[static_cast<int>(axis)], count = side / *basis.spacing;
     if (std::fabs(count - std::round(count)) <= 1e-6) continue;
-    entry.fault(kAxes[axis], "is PERIODIC, but the tank's side of " + format_number(side) +
+    entry.fault(kAxes[axis], "is PERIODIC, but the patch's side of " + format_number(side) +
                                  " m is no whole number of spacings; nearest allowed: " +
                                  format_number(std::floor(count) * *basis.spacing) + " or " +
                                  format_number(std::ceil(count) * *basis.spacing) + " m");
@@ -82,36 +82,36 @@ TankEdges read_edges(const FieldReader& reader, const Basis& basis, const std::o
 }
 
 /// Of the faces that the solver samples.
-void refuse_many_wall_particles(const FieldReader& reader, const Box& tank, double spacing, const TankEdges& edges) {
-  const Eigen::Vector3d sides = tank.size() / spacing;
+void refuse_many_wall_particles(const FieldReader& reader, const Box& patch, double spacing, const PatchEdges& edges) {
+  const Eigen::Vector3d sides = patch.size() / spacing;
   double walls = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (edges[axis] == TankEdge::kWall) walls += 2.0 * sides.prod() / sides[static_cast<int>(axis)];
+    if (edges[axis] == PatchEdge::kWall) walls += 2.0 * sides.prod() / sides[static_cast<int>(axis)];
   if (!(walls > kMostWallParticles)) return;
-  reader.child("tank").fault("", "needs about " + format_count(std::round(walls)) +
+  reader.child("patch").fault("", "needs about " + format_count(std::round(walls)) +
                                      " wall particles at this spacing; allowed: " + format_count(kMostWallParticles) +
-                                     " (a larger particle_spacing or a smaller tank)");
+                                     " (a larger particle_spacing or a smaller patch)");
 }
 
-std::optional<Box> read_tank(const FieldReader& reader, const Basis& basis) {
-  if (!reader.require("tank")) return std::nullopt;
-  const FieldReader tank_reader = reader.child("tank");
-  const std::optional<Box> tank = read_box(tank_reader);
-  if (!tank || !basis.spacing) return tank;
-  const Eigen::Vector3d sides = tank->size() / *basis.spacing;
+std::optional<Box> read_patch(const FieldReader& reader, const Basis& basis) {
+  if (!reader.require("patch")) return std::nullopt;
+  const FieldReader patch_reader = reader.child("patch");
+  const std::optional<Box> patch = read_box(patch_reader);
+  if (!patch || !basis.spacing) return patch;
+  const Eigen::Vector3d sides = patch->size() / *basis.spacing;
   const double least = std::max(4.0, 2.0 * basis.support_radius);
   if (sides.minCoeff() < least - 1e-6) {
-    tank_reader.fault("", "is " + format_number(tank->size().minCoeff()) + " m at its narrowest; allowed: at least " +
-                              format_number(least * *basis.spacing) + " m (" + format_number(least) +
-                              " particle spacings: the support of a kernel)");
+    patch_reader.fault("", "is " + format_number(patch->size().minCoeff()) + " m at its narrowest; allowed: at least " +
+                               format_number(least * *basis.spacing) + " m (" + format_number(least) +
+                               " particle spacings: the support of a kernel)");
   }
   const double cells = sides.prod() / std::pow(basis.support_radius, 3.0);
   if (cells > kMostCells) {
-    tank_reader.fault("", "needs about " + format_count(std::round(cells)) +
-                              " search cells at this spacing; allowed: " + format_count(kMostCells) +
-                              " (a larger particle_spacing or a smaller tank)");
+    patch_reader.fault("", "needs about " + format_count(std::round(cells)) +
+                               " search cells at this spacing; allowed: " + format_count(kMostCells) +
+                               " (a larger particle_spacing or a smaller patch)");
   }
-  return tank;
+  return patch;
 }
 
 /// @param longest_step  s, that any step of the scene may take; 0 where it is not known
@@ -220,26 +220,26 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
   reader.read("tank_walls_visible", scene.tank_walls_visible);
 
   const Basis basis = read_basis(reader, source, scene);
-  const std::optional<Box> tank = read_tank(reader, basis);
-  scene.tank = tank.value_or(Box{});
-  scene.tank_edges = read_edges(reader, basis, tank);
+  const std::optional<Box> patch = read_patch(reader, basis);
+  scene.patch = patch.value_or(Box{});
+  scene.patch_edges = read_edges(reader, basis, patch);
   double frame_rate = 30.0;
   reader.read("frame_rate", {1.0, 240.0, "frames per second"}, frame_rate);
   scene.frame_interval = 1.0 / frame_rate;
   scene.time_step = validate_time_step(reader, basis);
   scene.solver = validate_solver(reader);
-  if (tank && basis.spacing) refuse_many_wall_particles(reader, *tank, *basis.spacing, water_edges(scene));
+  if (patch && basis.spacing) refuse_many_wall_particles(reader, *patch, *basis.spacing, water_edges(scene));
   scene.governor = validate_governor(reader, basis, scene);
   if (reader.read_enum("on_fault") == proto::v1::Scene::RESTORE) scene.on_fault = FaultPolicy::kRestore;
-  BlockReader blocks(basis, tank, water_edges(scene));
+  BlockReader blocks(basis, patch, water_edges(scene));
   scene.water = read_water(reader, basis, scene, blocks);
   scene.oil = validate_oil(reader, scene.water.rest_density, blocks);
 
   read_wind_of_scene(reader, basis, scene);
   if (reader.has("current")) scene.current = read_current(reader.child("current"));
-  scene.bodies = validate_bodies(reader, tank, source);
+  scene.bodies = validate_bodies(reader, patch, source);
   check_bodies_against_solver(reader, scene);
-  const auto commands = tank ? std::optional(command_surroundings(scene)) : std::nullopt;
+  const auto commands = patch ? std::optional(command_surroundings(scene)) : std::nullopt;
   scene.probes = read_probes(reader, commands);
   EventSurroundings around{scene.wind, commands, {}, basis.gravity && *basis.gravity == 0.0};
   for (const ProbeSettings& probe : scene.probes) around.probes.push_back(probe.id);

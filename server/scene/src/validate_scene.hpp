@@ -31,11 +31,11 @@ inline constexpr double kMostParticles = 4e6;
 /// A Box field, both corners required, min below max; none if it is faulty.
 [[nodiscard]] std::optional<Box> read_box(const FieldReader& reader);
 
-/// Reads the `block` entries of all liquids: inside the tank, not overlapping, not too many particles in all.
+/// Reads the `block` entries of all liquids: inside the patch, not overlapping, not too many particles in all.
 class BlockReader {
  public:
-  BlockReader(const Basis& basis, const std::optional<Box>& tank, const TankEdges& edges)
-      : spacing_(basis.spacing), tank_(tank), edges_(edges) {}
+  BlockReader(const Basis& basis, const std::optional<Box>& patch, const PatchEdges& edges)
+      : spacing_(basis.spacing), patch_(patch), edges_(edges) {}
 
   /// @param name  of the liquid's field in the scene, for refusals of later blocks
   std::vector<Box> read(const FieldReader& liquid, const char* name);
@@ -44,8 +44,8 @@ class BlockReader {
   void place(const FieldReader& entry, std::string name, const Box& block);
 
   std::optional<double> spacing_;
-  std::optional<Box> tank_;
-  TankEdges edges_;
+  std::optional<Box> patch_;
+  PatchEdges edges_;
   std::vector<std::pair<std::string, Box>> placed_;
   double total_ = 0.0;  ///< particles
 };
@@ -58,8 +58,8 @@ class BlockReader {
 [[nodiscard]] Scene validate_scene(const FieldReader& reader, const SceneSource& source);
 
 /// The `body` entries.
-[[nodiscard]] std::vector<BodySettings> validate_bodies(const FieldReader& scene_reader, const std::optional<Box>& tank,
-                                                        const SceneSource& source);
+[[nodiscard]] std::vector<BodySettings> validate_bodies(const FieldReader& scene_reader,
+                                                        const std::optional<Box>& patch, const SceneSource& source);
 
 /// What a body's surface is made of: mesh_file and what goes with it, or shape. Its drive must be read already.
 void read_surface_of_body(const FieldReader& body_reader, const SceneSource& source, BodySettings& body);
@@ -67,7 +67,7 @@ void read_surface_of_body(const FieldReader& body_reader, const SceneSource& sou
 /// What events build on and have to fit.
 struct EventSurroundings {
   std::optional<WindSettings> wind;             ///< the scene's
-  std::optional<CommandSurroundings> commands;  ///< none where the tank is faulty
+  std::optional<CommandSurroundings> commands;  ///< none where the patch is faulty
   std::vector<std::uint32_t> probes;            ///< ids
   bool weightless = false;                      ///< no wind can blow
 };

@@ -23,10 +23,10 @@ Eigen::Vector3d to_world(const BodyState& state, const Eigen::Vector3d& body) {
   return state.orientation * body + state.position;
 }
 
-/// Whether a place (m, local) is in the tank or above or below it.
-bool is_over(const Region& tank, const Eigen::Vector3d& place) {
+/// Whether a place (m, local) is in the patch or above or below it.
+bool is_over(const Region& patch, const Eigen::Vector3d& place) {
   for (int axis = 0; axis < 2; ++axis)
-    if (!(place[axis] >= static_cast<double>(tank.min[axis]) && place[axis] <= static_cast<double>(tank.max[axis])))
+    if (!(place[axis] >= static_cast<double>(patch.min[axis]) && place[axis] <= static_cast<double>(patch.max[axis])))
       return false;
   return true;
 }
@@ -73,13 +73,13 @@ Eigen::AlignedBox3d everywhere() {
   return {Eigen::Vector3d::Constant(-kFar), Eigen::Vector3d::Constant(kFar)};
 }
 
-/// The tank and `margin` around it, as a box in the body's axes.
+/// The patch and `margin` around it, as a box in the body's axes.
 Eigen::AlignedBox3d tank_around(const Scene& scene, const BodyState& state, double margin) {
   Eigen::AlignedBox3d box;
   for (int corner = 0; corner < 8; ++corner) {
     Eigen::Vector3d x;
     for (int axis = 0; axis < 3; ++axis)
-      x[axis] = (corner >> axis & 1) != 0 ? scene.tank.max[axis] + margin : scene.tank.min[axis] - margin;
+      x[axis] = (corner >> axis & 1) != 0 ? scene.patch.max[axis] + margin : scene.patch.min[axis] - margin;
     box.extend(to_body(state, x));
   }
   return box;
@@ -132,11 +132,11 @@ void Bodies::make_contacts(const Scene& scene) {
   if (std::none_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.free.has_value(); })) return;
   BodyContacts& contacts = contacts_.emplace(scene.particle_spacing);
   for (int axis = 0; axis < 3; ++axis) {
-    if (scene.tank_edges[static_cast<std::size_t>(axis)] == TankEdge::kPeriodic) continue;
-    const bool is_symmetric = axis < 2 && scene.tank_edges[static_cast<std::size_t>(axis)] == TankEdge::kMirror;
+    if (scene.patch_edges[static_cast<std::size_t>(axis)] == PatchEdge::kPeriodic) continue;
+    const bool is_symmetric = axis < 2 && scene.patch_edges[static_cast<std::size_t>(axis)] == PatchEdge::kMirror;
     const auto face = is_symmetric ? BodyContacts::Face::kSmooth : BodyContacts::Face::kRough;
-    contacts.add_plane(scene.tank.min, Eigen::Vector3d::Unit(axis), face);
-    contacts.add_plane(scene.tank.max, -Eigen::Vector3d::Unit(axis), face);
+    contacts.add_plane(scene.patch.min, Eigen::Vector3d::Unit(axis), face);
+    contacts.add_plane(scene.patch.max, -Eigen::Vector3d::Unit(axis), face);
   }
   for (Body& body : bodies_) {
     if (body.free)
@@ -170,7 +170,7 @@ void Bodies::add_samples(TaskPool& pool, const Scene& scene, double support_radi
       continue;
     }
     const Eigen::Vector3d x = to_world(body.state, {sample.x, sample.y, sample.z});
-    if (is_within_reach(scene.tank, x, support_radius)) static_.push_back({x, sample.w});
+    if (is_within_reach(scene.patch, x, support_radius)) static_.push_back({x, sample.w});
   }
 }
 
@@ -280,7 +280,7 @@ std::vector<std::string> Bodies::hold_notes(double level) const {
 
 std::vector<std::string> Bodies::contact_notes() const {
   std::vector<std::string> notes;
-  if (bodies_.size() < 2) return notes;  // of the tank's faces a hull touches what its mesh touches
+  if (bodies_.size() < 2) return notes;  // of the patch's faces a hull touches what its mesh touches
   for (const Body& body : bodies_) {
     const double hollow = body.free && body.shape.kind == MeshKind::kClosed ? hollow_share(body.shape.mesh) : 0.0;
     const double larger = hollow / (1.0 - hollow);

@@ -22,21 +22,21 @@ std::string describe(const Eigen::Vector3d& v) {
   return "(" + digits(v.x()) + ", " + digits(v.y()) + ", " + digits(v.z()) + ")";
 }
 
-void check_in_tank(const Scene& scene, double support_radius, const PlacedShape& body,
-                   std::vector<std::string>& faults) {
+void check_in_patch(const Scene& scene, double support_radius, const PlacedShape& body,
+                    std::vector<std::string>& faults) {
   const auto& samples = body.shape->samples;
   const bool reached = std::any_of(samples.begin(), samples.end(), [&](const Eigen::Vector3f& sample) {
-    return is_within_reach(scene.tank, body.to_world(sample.cast<double>()), support_radius);
+    return is_within_reach(scene.patch, body.to_world(sample.cast<double>()), support_radius);
   });
   if (reached) return;
   const Eigen::AlignedBox3d place = body.place();
-  faults.push_back("its surface lies outside the tank, at " + describe(place.min()) + " to " + describe(place.max()) +
-                   " m; allowed: some of it within " + describe(scene.tank.min) + " to " + describe(scene.tank.max));
+  faults.push_back("its surface lies outside the patch, at " + describe(place.min()) + " to " + describe(place.max()) +
+                   " m; allowed: some of it within " + describe(scene.patch.min) + " to " + describe(scene.patch.max));
 }
 
-/// m, between a body and the nearer face of the tank across an axis; negative: it reaches beyond.
+/// m, between a body and the nearer face of the patch across an axis; negative: it reaches beyond.
 double room_across(const Scene& scene, const Eigen::AlignedBox3d& place, int axis) {
-  return std::min(place.min()[axis] - scene.tank.min[axis], scene.tank.max[axis] - place.max()[axis]);
+  return std::min(place.min()[axis] - scene.patch.min[axis], scene.patch.max[axis] - place.max()[axis]);
 }
 
 /// A free body that stood in a wall would be pushed out of it with a bang.
@@ -44,12 +44,12 @@ void check_walls(const Scene& scene, const PlacedShape& body, std::vector<std::s
   if (body.settings->drive != BodyDrive::kFree) return;
   const Eigen::AlignedBox3d place = body.place();
   for (int axis = 0; axis < 3; ++axis) {
-    if (scene.tank_edges[static_cast<std::size_t>(axis)] == TankEdge::kPeriodic) continue;
+    if (scene.patch_edges[static_cast<std::size_t>(axis)] == PatchEdge::kPeriodic) continue;
     const double room = room_across(scene, place, axis);
     if (room >= -kTouching * scene.particle_spacing) continue;
     faults.push_back("stands in a wall of the tank: it reaches " + digits(-room) + " m beyond the face across " +
-                     std::string(1, "xyz"[axis]) + "; allowed for a FREE body: all of it inside the tank, " +
-                     describe(scene.tank.min) + " to " + describe(scene.tank.max));
+                     std::string(1, "xyz"[axis]) + "; allowed for a FREE body: all of it inside the patch, " +
+                     describe(scene.patch.min) + " to " + describe(scene.patch.max));
     return;
   }
 }
@@ -58,7 +58,7 @@ void check_walls(const Scene& scene, const PlacedShape& body, std::vector<std::s
 void check_faces(const Scene& scene, double support_radius, const PlacedShape& body, std::vector<std::string>& faults) {
   const Eigen::AlignedBox3d place = body.place();
   for (int axis = 0; axis < 3; ++axis) {
-    if (scene.tank_edges[static_cast<std::size_t>(axis)] != TankEdge::kPeriodic) continue;
+    if (scene.patch_edges[static_cast<std::size_t>(axis)] != PatchEdge::kPeriodic) continue;
     const double room = room_across(scene, place, axis);
     if (room >= support_radius) continue;
     faults.push_back("reaches to " + digits(room) + " m from a periodic face across " + std::string(1, "xyz"[axis]) +
@@ -68,14 +68,14 @@ void check_faces(const Scene& scene, double support_radius, const PlacedShape& b
   }
 }
 
-/// Whether water that starts in a block could stand at a point off the tank's faces.
+/// Whether water that starts in a block could stand at a point off the patch's faces.
 bool stands_in_water(const Scene& scene, const Eigen::Vector3d& x) {
   const double margin = 1.5 * scene.particle_spacing;  // so near to a face no particle fits past a rim
   const auto within = [&](const Box& box, double by) {
     return (x.array() > box.min.array() + by).all() && (x.array() < box.max.array() - by).all();
   };
-  return within(scene.tank, margin) && std::any_of(scene.water.blocks.begin(), scene.water.blocks.end(),
-                                                   [&](const Box& block) { return within(block, 0.0); });
+  return within(scene.patch, margin) && std::any_of(scene.water.blocks.begin(), scene.water.blocks.end(),
+                                                    [&](const Box& block) { return within(block, 0.0); });
 }
 
 /// Water would run behind an open mesh where its rim stands in it.
@@ -87,7 +87,7 @@ void check_rim(const Scene& scene, const PlacedShape& body, std::vector<std::str
       const Eigen::Vector3d x = a + part / parts * (b - a);
       if (!stands_in_water(scene, x)) continue;
       faults.push_back("the rim of its open mesh stands in water at " + describe(x) +
-                       " m, which would run behind it; allowed: rims at the tank's faces or above the water");
+                       " m, which would run behind it; allowed: rims at the patch's faces or above the water");
       return;
     }
   }
@@ -131,9 +131,9 @@ void check_overlap(const PlacedShape& body, const PlacedShape& other, std::vecto
 
 }  // namespace
 
-bool is_within_reach(const Box& tank, const Eigen::Vector3d& world, double support_radius) {
-  return (world.array() >= tank.min.array() - support_radius).all() &&
-         (world.array() <= tank.max.array() + support_radius).all();
+bool is_within_reach(const Box& patch, const Eigen::Vector3d& world, double support_radius) {
+  return (world.array() >= patch.min.array() - support_radius).all() &&
+         (world.array() <= patch.max.array() + support_radius).all();
 }
 
 std::vector<std::string> body_faults(const Scene& scene, double support_radius, std::span<const PlacedShape> bodies) {
@@ -142,7 +142,7 @@ std::vector<std::string> body_faults(const Scene& scene, double support_radius, 
     std::vector<std::string> faults = body.shape->faults;  // of the mesh
     if (faults.empty()) {
       check_mass(scene, body, faults);
-      check_in_tank(scene, support_radius, body, faults);
+      check_in_patch(scene, support_radius, body, faults);
       check_walls(scene, body, faults);
       check_faces(scene, support_radius, body, faults);
       check_rim(scene, body, faults);

@@ -9,11 +9,11 @@
 
 namespace pelagos {
 
-/// Whether a sample is where the water's support may reach: in the tank or not farther than a support radius from it.
-[[nodiscard]] bool is_within_reach(const Box& tank, const Eigen::Vector3d& world, double support_radius);
+/// Whether a sample is where the water's support may reach: in the patch or not farther than a support radius from it.
+[[nodiscard]] bool is_within_reach(const Box& patch, const Eigen::Vector3d& world, double support_radius);
 
 /// What is wrong with the bodies of a scene, one line each, which begins with the body: faults of the mesh; a body
-/// outside the tank, nearer than a support radius to a periodic face, or inside another one; an open mesh whose rim
+/// outside the patch, nearer than a support radius to a periodic face, or inside another one; an open mesh whose rim
 /// stands in water. STATIC bodies may stand in one another (a tower on a rock), but none altogether.
 [[nodiscard]] std::vector<std::string> body_faults(const Scene& scene, double support_radius,
                                                    std::span<const PlacedShape> bodies);

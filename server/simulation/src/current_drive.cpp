@@ -19,18 +19,18 @@ constexpr double kRounding = 1e-9;  ///< rows: a level in the middle of one coun
 
 }  // namespace
 
-/// Particles of a full row: as many as fit the tank; with bodies in it, the mean.
+/// Particles of a full row: as many as fit the patch; with bodies in it, the mean.
 double CurrentDrive::full_row(const Scene& scene, std::size_t particles) const {
-  const auto tank = lattice_counts(scene.tank, spacing_, water_edges(scene));
-  const auto row = static_cast<double>(tank[0] * tank[1]);
+  const auto patch = lattice_counts(scene.patch, spacing_, water_edges(scene));
+  const auto row = static_cast<double>(patch[0] * patch[1]);
   return scene.bodies.empty() ? row : std::min(row, static_cast<double>(particles) / static_cast<double>(rows_));
 }
 
 CurrentDrive::CurrentDrive(const Scene& scene, const PatchFrame& frame, double water_level, std::size_t particles)
     : spacing_(scene.particle_spacing) {
-  for (std::size_t axis = 0; axis < 2; ++axis) moves_[axis] = scene.tank_edges[axis] == TankEdge::kPeriodic;
+  for (std::size_t axis = 0; axis < 2; ++axis) moves_[axis] = scene.patch_edges[axis] == PatchEdge::kPeriodic;
   // Rows stand at d/2, 3d/2, ... above `floor_`, so no row lies on the edge of a layer.
-  floor_ = frame.local_height(scene.tank.min.z()) + (lattice_offset(water_edges(scene)[2]) - 0.5) * spacing_;
+  floor_ = frame.local_height(scene.patch.min.z()) + (lattice_offset(water_edges(scene)[2]) - 0.5) * spacing_;
   depth_ = frame.local_height(water_level) - floor_;
   rows_ = static_cast<std::size_t>(std::max(1.0, std::round(depth_ / spacing_ + kRounding)));
   layer_rows_ = std::max(kLayerRows, (rows_ + kMostLayers - 1) / kMostLayers);

@@ -13,7 +13,7 @@ namespace pelagos {
 namespace {
 
 constexpr double kWatchInterval = 0.25;  ///< s between readings of the water's drift
-constexpr int kWatchRows = 8;            ///< of places over the tank, along x and y
+constexpr int kWatchRows = 8;            ///< of places over the patch, along x and y
 
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -21,10 +21,10 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-/// m/s, the middle of the surface's velocities all over the tank: wakes cover few of the places.
+/// m/s, the middle of the surface's velocities all over the patch: wakes cover few of the places.
 Eigen::Vector2d drift_of_surface(WaterSurface& surface, const FluidState& fluid) {
-  const Region& tank = fluid.parameters.tank;
-  const Eigen::Vector2d min(tank.min[0], tank.min[1]), max(tank.max[0], tank.max[1]);
+  const Region& patch = fluid.parameters.tank;
+  const Eigen::Vector2d min(patch.min[0], patch.min[1]), max(patch.max[0], patch.max[1]);
   std::vector<SurfacePlace> places;
   for (int i = 0; i < kWatchRows; ++i)
     for (int j = 0; j < kWatchRows; ++j)

@@ -17,7 +17,7 @@ constexpr double kClearance = 0.499;
 constexpr double kMostPlaces = 1e8;  ///< beyond, bodies are not looked at
 constexpr std::size_t kPlacesPerBlock = 512;
 
-/// The places of particles in the tank, up to the highest that starts.
+/// The places of particles in the patch, up to the highest that starts.
 struct Places {
   std::size_t columns = 0, rows = 0, layers = 0;    ///< along x, y, z
   Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< m, world
@@ -60,11 +60,11 @@ void mark_free(const Places& places, const Bodies& bodies, std::size_t first, st
 Places find_places(TaskPool& pool, const Scene& scene, const Bodies& bodies, double top) {
   Places places;
   const double d = scene.particle_spacing;
-  const auto counts = lattice_counts(scene.tank, d, water_edges(scene));
+  const auto counts = lattice_counts(scene.patch, d, water_edges(scene));
   places.spacing = d;
   for (int axis = 0; axis < 3; ++axis)
-    places.first[axis] = scene.tank.min[axis] + d * lattice_offset(water_edges(scene)[static_cast<std::size_t>(axis)]);
-  for (std::size_t axis = 0; axis < 2; ++axis) places.periodic[axis] = scene.tank_edges[axis] == TankEdge::kPeriodic;
+    places.first[axis] = scene.patch.min[axis] + d * lattice_offset(water_edges(scene)[static_cast<std::size_t>(axis)]);
+  for (std::size_t axis = 0; axis < 2; ++axis) places.periodic[axis] = scene.patch_edges[axis] == PatchEdge::kPeriodic;
   const double layers = std::min(static_cast<double>(counts[2]), std::floor((top - places.first.z()) / d + 1.5));
   const double all = static_cast<double>(counts[0]) * static_cast<double>(counts[1]) * layers;
   if (!(all >= 1.0 && all <= kMostPlaces)) return places;
@@ -211,9 +211,9 @@ class Filling {
 
 double level_without_bodies(const Scene& scene) {
   const double d = scene.particle_spacing;
-  const auto floor = lattice_counts(scene.tank, d, water_edges(scene));
+  const auto floor = lattice_counts(scene.patch, d, water_edges(scene));
   const double layers = particle_count(scene) / static_cast<double>(floor[0] * floor[1]);
-  return scene.tank.min.z() + (layers - 0.5 + lattice_offset(water_edges(scene)[2])) * d;
+  return scene.patch.min.z() + (layers - 0.5 + lattice_offset(water_edges(scene)[2])) * d;
 }
 
 }  // namespace

@@ -40,13 +40,13 @@ Scheme scheme_of(SolverKind kind) {
   return Scheme::kHybrid;
 }
 
-Edge edge_of(TankEdge edge) {
+Edge edge_of(PatchEdge edge) {
   switch (edge) {
-    case TankEdge::kWall:
+    case PatchEdge::kWall:
       return Edge::kWall;
-    case TankEdge::kMirror:
+    case PatchEdge::kMirror:
       return Edge::kMirror;
-    case TankEdge::kPeriodic:
+    case PatchEdge::kPeriodic:
       return Edge::kPeriodic;
   }
   return Edge::kWall;
@@ -73,7 +73,7 @@ PhaseParameters phase_parameters(const OilProperties& oil, double water_viscosit
 void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, const PatchFrame& frame,
                 std::vector<Float4>& positions) {
   const double d = scene.particle_spacing;
-  const TankEdges edges = water_edges(scene);
+  const PatchEdges edges = water_edges(scene);
   const auto counts = lattice_counts(block, d, edges);
   const Eigen::Vector3d first =
       block.min + d * Eigen::Vector3d(lattice_offset(edges[0]), lattice_offset(edges[1]), lattice_offset(edges[2]));

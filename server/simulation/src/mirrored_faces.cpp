@@ -15,27 +15,27 @@ constexpr double kAtFace = 0.02;        ///< spacings: a smaller gap is none
 constexpr double kCloseBy = 2.0;        ///< spacings: what holds the water at a place lies no farther along the face
 constexpr double kLookBeyond = 4.0;     ///< spacings past a face: samples farther out say nothing of the place at it
 
-/// One face of the tank.
+/// One face of the patch.
 struct Face {
   int axis = 0;
   bool upper = false;
   double place = 0.0;  ///< m, along the axis
 
-  /// m, into the tank.
+  /// m, into the patch.
   [[nodiscard]] double distance(const Eigen::Vector3d& x) const { return upper ? place - x[axis] : x[axis] - place; }
 };
 
 /// A boundary sample near a face.
 struct NearSample {
   Eigen::Vector3d place;  ///< m, world
-  double distance = 0.0;  ///< m, into the tank
+  double distance = 0.0;  ///< m, into the patch
   double reach = 0.0;     ///< m, how far the body's surface reaches past the face here; negative: it ends before
 };
 
 bool is_at_water(const Scene& scene, const Face& face, double level, const Eigen::Vector3d& x) {
   if (x.z() > level + scene.particle_spacing) return false;
   for (int axis = 0; axis < 3; ++axis)
-    if (axis != face.axis && (x[axis] < scene.tank.min[axis] || x[axis] > scene.tank.max[axis])) return false;
+    if (axis != face.axis && (x[axis] < scene.patch.min[axis] || x[axis] > scene.patch.max[axis])) return false;
   return true;
 }
 
@@ -106,9 +106,9 @@ std::vector<std::string> mirrored_face_notes(const Scene& scene, double support_
                                              std::span<const PlacedShape> bodies) {
   std::vector<std::string> notes;
   for (int axis = 0; axis < 3; ++axis) {
-    if (scene.tank_edges[static_cast<std::size_t>(axis)] != TankEdge::kMirror) continue;
+    if (scene.patch_edges[static_cast<std::size_t>(axis)] != PatchEdge::kMirror) continue;
     for (const bool upper : {false, true}) {
-      const Face face{axis, upper, upper ? scene.tank.max[axis] : scene.tank.min[axis]};
+      const Face face{axis, upper, upper ? scene.patch.max[axis] : scene.patch.min[axis]};
       // Above the water a body may end where it likes.
       if (axis == 2 && upper && face.place > level + scene.particle_spacing) continue;
       std::vector<std::vector<NearSample>> of_body;

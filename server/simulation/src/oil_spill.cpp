@@ -31,9 +31,9 @@ SlickSettings film_settings(const Scene& scene) {
   settings.gravity = scale_gravity(scene.gravity);
   settings.evaporation = oil.evaporation;
   settings.emulsification = oil.emulsification;
-  settings.patch = SlickPatch{scene.tank.min.head<2>(), scene.tank.max.head<2>()};
+  settings.patch = SlickPatch{scene.patch.min.head<2>(), scene.patch.max.head<2>()};
   for (std::size_t axis = 0; axis < 2; ++axis)
-    settings.patch->closed[axis] = scene.tank_edges[axis] != TankEdge::kPeriodic;
+    settings.patch->closed[axis] = scene.patch_edges[axis] != PatchEdge::kPeriodic;
   if (oil.model == OilModel::kBoth)
     settings.exchange = ParticleExchange{1.5 * d, to_kilograms(to_milligrams(oil.properties.density * d * d * d))};
   return settings;

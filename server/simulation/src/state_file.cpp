@@ -61,7 +61,7 @@ std::optional<std::string> find_origin_fault(const StateOrigin& saved, const Sta
     return differs("instruction set", saved.instruction_set, now.instruction_set);
   if (saved.scene != now.scene) return differs("scene", saved.scene, now.scene);
   if (saved.scene_hash != now.scene_hash)
-    return refuse(fmt::format("it is of a scene {} with another tank, spacing, solver or other bodies", saved.scene),
+    return refuse(fmt::format("it is of a scene {} with another patch, spacing, solver or other bodies", saved.scene),
                   "the scene as it was when the state was saved");
   return std::nullopt;
 }

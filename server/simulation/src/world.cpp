@@ -291,9 +291,9 @@ std::uint64_t World::scene_hash() const {
   add(std::array{scene_.frame_interval, scene_.gravity, scene_.particle_spacing, fluid_.parameters.support_radius,
                  fluid_.parameters.viscosity, fluid_.parameters.filter, fluid_.parameters.rest_density});
   add(fluid_.parameters.scheme);
-  add(scene_.tank_edges);
-  add(scene_.tank.min);
-  add(scene_.tank.max);
+  add(scene_.patch_edges);
+  add(scene_.patch.min);
+  add(scene_.patch.max);
   add(std::vector(fluid_.walls.position.begin(),
                   fluid_.walls.position.begin() + static_cast<std::ptrdiff_t>(fluid_.static_walls)));
   for (const BodySettings& body : scene_.bodies) add(std::array{body.id, static_cast<std::uint32_t>(body.drive)});
@@ -311,7 +311,7 @@ SceneInfo World::describe() const {
   info.frame_interval = scene_.frame_interval;
   info.particle_spacing = scene_.particle_spacing;
   info.water_level = water_level_;
-  info.tank = scene_.tank;
+  info.patch = scene_.patch;
   info.tank_walls_visible = scene_.tank_walls_visible;
   info.origin = scene_.origin;
   info.sea = sea_;
@@ -324,7 +324,7 @@ SceneInfo World::describe() const {
 }
 
 double World::energy(const StepReport& report) const {
-  return report.kinetic_energy + report.potential_energy;  // local z starts at the tank's floor
+  return report.kinetic_energy + report.potential_energy;  // local z starts at the patch's floor
 }
 
 StepReport World::measure() const {

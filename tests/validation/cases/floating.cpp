@@ -23,8 +23,8 @@ Scene small_patch(const Subject& subject, double depth = kDepth) {
   Scene scene;
   scene.name = subject.setup;
   scene.particle_spacing = subject.spacing;
-  scene.tank = {Eigen::Vector3d::Zero(), kPatch};
-  scene.tank_edges = {TankEdge::kMirror, TankEdge::kMirror, TankEdge::kMirror};
+  scene.patch = {Eigen::Vector3d::Zero(), kPatch};
+  scene.patch_edges = {PatchEdge::kMirror, PatchEdge::kMirror, PatchEdge::kMirror};
   scene.water.blocks = {{Eigen::Vector3d::Zero(), {kPatch.x(), kPatch.y(), depth}}};
   scene.water.settle_steps = 200;
   if (!choose_solver(subject.solver, scene.solver)) throw std::invalid_argument("no solver " + subject.solver);
@@ -258,8 +258,8 @@ void run_heave(Session& session, const Subject& subject) {
 void run_current(Session& session, const Subject& subject) {
   constexpr double kSpeed = 0.5;  // m/s
   Scene scene = small_patch(subject);
-  scene.tank.max = {6.4, 4.0, 2.4};
-  scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kMirror, TankEdge::kMirror};
+  scene.patch.max = {6.4, 4.0, 2.4};
+  scene.patch_edges = {PatchEdge::kPeriodic, PatchEdge::kMirror, PatchEdge::kMirror};
   scene.water.blocks[0].max = {6.4, 4.0, kDepth};
   scene.current.emplace();
   scene.current->velocity = {kSpeed, 0.0, 0.0};

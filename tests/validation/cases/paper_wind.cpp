@@ -64,7 +64,7 @@ Scene make_scene(const Setting& setting, const Subject& subject, const std::file
   Scene scene;
   scene.name = setting.name;
   scene.particle_spacing = subject.spacing;
-  scene.tank = {Eigen::Vector3d::Zero(), setting.tank};
+  scene.patch = {Eigen::Vector3d::Zero(), setting.tank};
   scene.water.blocks = {{Eigen::Vector3d::Zero(), setting.block}};
   scene.water.settle_steps = 50;
   if (!choose_solver(subject.solver, scene.solver)) throw std::invalid_argument("no solver " + subject.solver);

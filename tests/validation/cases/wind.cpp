@@ -95,8 +95,8 @@ Scene channel(const WindSettings& wind, double step) {
   Scene scene;
   scene.name = "channel";
   scene.particle_spacing = kSpacing;
-  scene.tank = {{0, 0, 0}, {2, 1, 2}};
-  scene.tank_edges = {TankEdge::kPeriodic, TankEdge::kPeriodic, TankEdge::kMirror};
+  scene.patch = {{0, 0, 0}, {2, 1, 2}};
+  scene.patch_edges = {PatchEdge::kPeriodic, PatchEdge::kPeriodic, PatchEdge::kMirror};
   scene.water.blocks = {{{0, 0, 0}, {2, 1, 0.5}}};
   scene.time_step.max_step = step;
   scene.wind = wind;

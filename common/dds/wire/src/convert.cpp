@@ -234,8 +234,8 @@ SceneInfoSample::SceneInfoSample(const SceneInfo& info, std::uint64_t source)
   sample_.frame_interval = info.frame_interval;
   sample_.particle_spacing = info.particle_spacing;
   sample_.water_level = info.water_level;
-  sample_.tank_min = to_wire(info.tank.min);
-  sample_.tank_max = to_wire(info.tank.max);
+  sample_.tank_min = to_wire(info.patch.min);
+  sample_.tank_max = to_wire(info.patch.max);
   sample_.tank_walls_visible = info.tank_walls_visible;
   sample_.origin_latitude_deg = info.origin.latitude_deg;
   sample_.origin_longitude_deg = info.origin.longitude_deg;
@@ -252,7 +252,7 @@ SceneInfo from_wire(const pelagos_SceneInfoV1& wire) {
   info.frame_interval = wire.frame_interval;
   info.particle_spacing = wire.particle_spacing;
   info.water_level = wire.water_level;
-  info.tank = {from_wire(wire.tank_min), from_wire(wire.tank_max)};
+  info.patch = {from_wire(wire.tank_min), from_wire(wire.tank_max)};
   info.tank_walls_visible = wire.tank_walls_visible;
   info.origin = {wire.origin_latitude_deg, wire.origin_longitude_deg, wire.origin_height};
   info.sea = WaveField(waves_from_wire(wire.far_sea), wire.water_level);

@@ -55,7 +55,7 @@ class Current {
   Current() = default;  ///< to be read into
   /// No current yet.
   /// @param water_level  m, world: the mean level, from which depths count
-  /// @param moves_water  for x, y: whether the water of the tank itself moves with it (periodic axes)
+  /// @param moves_water  for x, y: whether the water of the patch itself moves with it (periodic axes)
   Current(double water_level, const std::array<bool, 2>& moves_water)
       : water_level_(water_level), moves_water_(moves_water) {}
 
@@ -80,7 +80,7 @@ class Current {
     return to_.profile(water_level_ - position.z()) * surface_velocity_at(time);
   }
 
-  /// The part of it that the water of the tank does not make itself. What drifts with the velocity of the water around
+  /// The part of it that the water of the patch does not make itself. What drifts with the velocity of the water around
   /// it adds this.
   [[nodiscard]] Eigen::Vector3d unresolved_velocity_at(const Eigen::Vector3d& position, double time) const {
     Eigen::Vector3d velocity = velocity_at(position, time);

@@ -8,15 +8,15 @@
 
 namespace pelagos {
 
-/// How the water meets the tank's faces: with the corrected solver a wall is a mirror that bodies do not pass.
-[[nodiscard]] inline TankEdges water_edges(TankEdges edges, SolverKind solver) {
+/// How the water meets the patch's faces: with the corrected solver a wall is a mirror that bodies do not pass.
+[[nodiscard]] inline PatchEdges water_edges(PatchEdges edges, SolverKind solver) {
   if (solver != SolverKind::kCorrected) return edges;
-  for (TankEdge& edge : edges)
-    if (edge == TankEdge::kWall) edge = TankEdge::kMirror;
+  for (PatchEdge& edge : edges)
+    if (edge == PatchEdge::kWall) edge = PatchEdge::kMirror;
   return edges;
 }
-[[nodiscard]] inline TankEdges water_edges(const Scene& scene) {
-  return water_edges(scene.tank_edges, scene.solver.kind);
+[[nodiscard]] inline PatchEdges water_edges(const Scene& scene) {
+  return water_edges(scene.patch_edges, scene.solver.kind);
 }
 
 /// How many particles stand along each axis of a block that starts full of water, and where the first one stands.
@@ -24,13 +24,13 @@ namespace pelagos {
 /// stand on its face). Across a mirrored or periodic axis: at d/2, 3d/2, ..., size/d of them. 0 where there is room for
 /// none. A size within 1e-6 spacings of a multiple of d counts as that multiple (1.5 / 0.05 is 29.999...). Counts
 /// beyond 10^9 along one axis are given as 10^9.
-[[nodiscard]] inline double lattice_offset(TankEdge edge) { return edge == TankEdge::kWall ? 1.0 : 0.5; }  // spacings
+[[nodiscard]] inline double lattice_offset(PatchEdge edge) { return edge == PatchEdge::kWall ? 1.0 : 0.5; }  // spacings
 [[nodiscard]] inline std::array<std::int64_t, 3> lattice_counts(const Box& block, double spacing,
-                                                                const TankEdges& edges = kWalledTank) {
+                                                                const PatchEdges& edges = kWallsAround) {
   std::array<std::int64_t, 3> counts{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double intervals = std::floor(block.size()[static_cast<int>(axis)] / spacing + 1e-6);
-    const double particles = edges[axis] == TankEdge::kWall ? intervals - 1.0 : intervals;
+    const double particles = edges[axis] == PatchEdge::kWall ? intervals - 1.0 : intervals;
     counts[axis] = particles < 1.0 ? 0 : static_cast<std::int64_t>(std::fmin(particles, 1e9));
   }
   return counts;
@@ -38,7 +38,7 @@ namespace pelagos {
 
 /// Particles that the blocks of a scene make, of water and of oil, before any that would stand inside a body are taken
 /// out. A double, so that no scene overflows it; exact up to 2^53.
-[[nodiscard]] inline double particle_count(const Box& block, double spacing, const TankEdges& edges = kWalledTank) {
+[[nodiscard]] inline double particle_count(const Box& block, double spacing, const PatchEdges& edges = kWallsAround) {
   const auto counts = lattice_counts(block, spacing, edges);
   return static_cast<double>(counts[0]) * static_cast<double>(counts[1]) * static_cast<double>(counts[2]);
 }

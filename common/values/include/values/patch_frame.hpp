@@ -9,7 +9,7 @@ namespace pelagos {
 struct PatchFrame {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world: local zero
   Box box;                                           ///< m, world
-  TankEdges edges = kWalledTank;                     ///< how the faces across x, y, z close it
+  PatchEdges edges = kWallsAround;                   ///< how the faces across x, y, z close it
 
   [[nodiscard]] Eigen::Vector3d to_local(const Eigen::Vector3d& world) const { return world - origin; }
   [[nodiscard]] Eigen::Vector3d to_world(const Eigen::Vector3d& local) const { return local + origin; }
@@ -35,8 +35,8 @@ struct PatchFrame {
 /// That of a scene. Its origin is the middle of the floor's area at its lower z, so that floats keep their digits near
 /// the ship.
 [[nodiscard]] inline PatchFrame patch_frame(const Scene& scene) {
-  const Eigen::Vector3d middle = 0.5 * (scene.tank.min + scene.tank.max);
-  return {{middle.x(), middle.y(), scene.tank.min.z()}, scene.tank, scene.tank_edges};
+  const Eigen::Vector3d middle = 0.5 * (scene.patch.min + scene.patch.max);
+  return {{middle.x(), middle.y(), scene.patch.min.z()}, scene.patch, scene.patch_edges};
 }
 
 }  // namespace pelagos

@@ -30,16 +30,16 @@ struct Box {
   [[nodiscard]] Eigen::Vector3d size() const { return max - min; }
 };
 
-/// How the two faces of a tank across one axis close it.
-enum class TankEdge {
+/// How the two faces of a patch across one axis close it.
+enum class PatchEdge {
   kWall,      ///< bodies stop there. The corrected solver's water meets a mirror, that of the others boundary samples
   kMirror,    ///< a smooth plane: the water beyond is the mirror image
   kPeriodic,  ///< what leaves through one face enters through the other
 };
 
 /// For the axes x, y, z.
-using TankEdges = std::array<TankEdge, 3>;
-inline constexpr TankEdges kWalledTank{TankEdge::kWall, TankEdge::kWall, TankEdge::kWall};
+using PatchEdges = std::array<PatchEdge, 3>;
+inline constexpr PatchEdges kWallsAround{PatchEdge::kWall, PatchEdge::kWall, PatchEdge::kWall};
 
 /// Which pressure scheme advances the water.
 enum class SolverKind {
@@ -216,8 +216,8 @@ struct Scene {
   double particle_spacing = 0.05;     ///< d, metres
   double support_radius = 2.0;        ///< of the kernel, in spacings, 1.4 to 2.5
   double gravity = kStandardGravity;  ///< m/s^2, along -z; 0 allowed
-  Box tank;
-  TankEdges tank_edges = kWalledTank;
+  Box patch;                          ///< in which water is simulated
+  PatchEdges patch_edges = kWallsAround;
   bool tank_walls_visible = false;
   FluidSettings water;
   std::optional<OilSettings> oil;

@@ -42,10 +42,10 @@ struct SceneInfo {
   double frame_interval = 1.0 / 30;  ///< s
   double particle_spacing = 0.0;     ///< m
   double water_level = 0.0;          ///< m, world: the mean level of the water at rest
-  Box tank;                          ///< m, world
+  Box patch;                         ///< m, world
   bool tank_walls_visible = false;
   GeodeticOrigin origin;
-  WaveField sea;  ///< around the tank; on the wire `sea_v1` has it with the blends that run
+  WaveField sea;  ///< around the patch; on the wire `sea_v1` has it with the blends that run
   std::vector<BodyInfo> bodies;
 };
 

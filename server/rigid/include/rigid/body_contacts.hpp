@@ -80,7 +80,7 @@ class BodyContacts {
   BodyContacts(BodyContacts&&) noexcept;
   BodyContacts& operator=(BodyContacts&&) noexcept;
 
-  /// Whether a plane rubs. A mirrored side of the tank does not: it stands for the other half of what touches it.
+  /// Whether a plane rubs. A mirrored side of the patch does not: it stands for the other half of what touches it.
   enum class Face { kRough, kSmooth };
   /// The half space behind a plane through `point` (m) is solid. @param normal  unit, into the free side
   void add_plane(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, Face face = Face::kRough);

@@ -109,7 +109,7 @@ class Bodies {
   [[nodiscard]] std::size_t moving_sample_count() const { return volumes_.size(); }
 
   /// The samples of STATIC bodies, local coordinates, V_b in w; those out of the water's reach, a support radius beyond
-  /// the tank, are left out.
+  /// the patch, are left out.
   [[nodiscard]] std::vector<Float4> static_samples(const PatchFrame& frame) const;
 
   /// Whether a point (m, world) is inside a hull or closer to it than `clearance`.

@@ -15,7 +15,7 @@
 
 namespace pelagos {
 
-/// Keeps the water of a tank moving with a current, along the axes that are periodic.
+/// Keeps the water of a patch moving with a current, along the axes that are periodic.
 ///
 /// The water is cut into horizontal layers two particles thick (thicker ones in water deeper than 128 particles). With
 /// u_k the mean velocity of the particles of layer k and U_k the current's mean over the same rows of the lattice at

@@ -133,7 +133,7 @@ class World {
   /// The oil; nothing in a scene without.
   [[nodiscard]] const std::optional<OilSpill>& spill() const { return spill_; }
   [[nodiscard]] double water_level() const { return water_level_; }  ///< m, world, at rest
-  /// Kinetic and potential energy in J, the latter from the tank's floor.
+  /// Kinetic and potential energy in J, the latter from the patch's floor.
   [[nodiscard]] double energy(const StepReport& report) const;
   [[nodiscard]] StepReport measure() const;  ///< of the present state, no step made
 

@@ -35,8 +35,8 @@ struct WindSurroundings {
 ///
 /// WindLaw::kPaper, eq. 31 to 35 as printed, for the paper's figures: every step, whatever its length,
 ///   v += beta (rho_air / rho0) v_ref ln(z / z0) / ln(10 m / z0) ,   v_ref = U + A noise(x / l)
-/// with z from the tank's floor, a new noise every step, and the logarithm negative below z0. Particles at or under the
-/// floor take none.
+/// with z from the patch's floor, a new noise every step, and the logarithm negative below z0. Particles at or under
+/// the floor take none.
 class Wind {
  public:
   Wind(const WindSurroundings& around, const WindSettings& settings, double time = 0.0)
