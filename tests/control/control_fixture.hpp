@@ -208,7 +208,7 @@ class ControlTest : public testing::Test {
       return std::erase_if(scheduled_, [id](const ScheduledCommand& waiting) { return waiting.id == id; }) > 0;
     };
     hooks.scheduled = [this] { return scheduled(); };
-    hooks.find_misfit = [this](const Command& command) { return find_misfit(command, around_); };
+    hooks.find_refusal = [this](const Command& command) { return find_refusal(command, around_); };
     hooks.status = [this] { return status_; };
     hooks.read_air = [this](const std::vector<Eigen::Vector3d>& position) {
       if (throws_) throw std::runtime_error("broken");
@@ -224,8 +224,8 @@ class ControlTest : public testing::Test {
   }
 
   /// Stands in for the world at a step boundary.
-  std::optional<Misfit> take(const Command& command) {
-    if (auto misfit = find_misfit(command, around_)) return misfit;
+  std::optional<Refusal> take(const Command& command) {
+    if (auto refusal = find_refusal(command, around_)) return refusal;
     if (std::holds_alternative<ClearWind>(command)) status_.wind.reset();
     const auto* set = std::get_if<SetWind>(&command);
     if (set == nullptr) {
@@ -233,7 +233,7 @@ class ControlTest : public testing::Test {
       return {};
     }
     WindSettings wind;
-    if (auto misfit = merge_wind(*set, status_.wind, wind)) return misfit;
+    if (auto refusal = merge_wind(*set, status_.wind, wind)) return refusal;
     status_.wind = wind;
     commands_.push_back(SetWind{wind, set->ramp_seconds});
     return {};

@@ -144,12 +144,12 @@ TEST(Fields, RefuseBytesOfAnotherLength) {
   const std::vector<std::byte> bytes = to_bytes(sample());
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     Everything e;
-    EXPECT_THROW(from_bytes(std::span(bytes).first(length), e), FieldFault) << length;
+    EXPECT_THROW(from_bytes(std::span(bytes).first(length), e), DecodeFault) << length;
   }
   std::vector<std::byte> more = bytes;
   more.push_back(std::byte{0});
   Everything e;
-  EXPECT_THROW(from_bytes(more, e), FieldFault);
+  EXPECT_THROW(from_bytes(more, e), DecodeFault);
 }
 
 /// A size that no file can hold allocates nothing.
@@ -159,9 +159,9 @@ TEST(Fields, RefuseSizesBeyondTheBytes) {
   std::vector<std::byte> bytes = to_bytes(std::vector<double>{1.0});
   bytes[6] = std::byte{0x10};
   std::vector<double> values;
-  EXPECT_THROW(from_bytes(bytes, values), FieldFault);
+  EXPECT_THROW(from_bytes(bytes, values), DecodeFault);
   std::optional<double> maybe;
-  EXPECT_THROW(from_bytes(to_bytes(std::vector<double>{1.0, 2.0}), maybe), FieldFault) << "2 of an optional";
+  EXPECT_THROW(from_bytes(to_bytes(std::vector<double>{1.0, 2.0}), maybe), DecodeFault) << "2 of an optional";
 }
 
 /// As Part, but for one type.

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "oil/slick_layer.hpp"
 
@@ -32,6 +34,9 @@ inline SurfaceState moving(const Eigen::Vector2d& water, const Eigen::Vector2d& 
   state.wind = wind;
   return state;
 }
+
+/// Of a refusal; empty where there is none.
+inline std::string text_of(const std::optional<Refusal>& refusal) { return refusal ? to_string(*refusal) : ""; }
 
 /// Neither weathers nor splits: the mechanics alone.
 inline SlickSettings plain_settings() {
@@ -67,7 +72,7 @@ inline void release_disc(SlickLayer& layer, double mass, const Eigen::Vector2d& 
     const double angle = k * std::numbers::pi * (3.0 - std::sqrt(5.0));
     const auto refusal =
         layer.release(mass / n, centre + r * Eigen::Vector2d(std::cos(angle), std::sin(angle)), radius / std::sqrt(n));
-    if (refusal) throw std::logic_error(*refusal);
+    if (refusal) throw std::logic_error(to_string(*refusal));
   }
 }
 

@@ -228,14 +228,14 @@ TEST(Booms, RefuseWhatIsNoBoom) {
   const auto refusal = [&](auto change) {
     Boom boom = straight_boom();
     change(boom);
-    return layer.set_boom("b", boom).value_or("");
+    return text_of(layer.set_boom("b", boom));
   };
-  EXPECT_EQ(refusal([](Boom& b) { b.line.resize(1); }), "line: points = 1; allowed: 2 to 1000");
-  EXPECT_EQ(refusal([](Boom& b) { b.draft = 0.0; }), "draft = 0; allowed: finite and above 0");
-  EXPECT_EQ(refusal([](Boom& b) { b.critical_speed = -1.0; }), "critical_speed = -1; allowed: finite and above 0");
-  EXPECT_EQ(refusal([](Boom& b) { b.entrainment = 11.0; }), "entrainment = 11; allowed: 0 to 10");
+  EXPECT_EQ(refusal([](Boom& b) { b.line.resize(1); }), "line: 1; allowed: 2 to 1000 points");
+  EXPECT_EQ(refusal([](Boom& b) { b.draft = 0.0; }), "draft: 0; allowed: finite and above 0");
+  EXPECT_EQ(refusal([](Boom& b) { b.critical_speed = -1.0; }), "critical_speed: -1; allowed: finite and above 0");
+  EXPECT_EQ(refusal([](Boom& b) { b.entrainment = 11.0; }), "entrainment: 11; allowed: 0 to 10");
   EXPECT_EQ(refusal([](Boom& b) { b.line[1].x() = std::numeric_limits<double>::quiet_NaN(); }),
-            "line[1].position.x = nan; allowed: -1e8 m to 1e8 m");
+            "line[1].position.x: nan; allowed: -1e8 m to 1e8 m");
   EXPECT_EQ(refusal([](Boom& b) { b.line[1] = b.line[0]; }),
             "line: points 0 and 1 are 0 m apart; allowed: at least 0.1");
   EXPECT_TRUE(layer.state().booms.empty());

@@ -115,7 +115,7 @@ TEST(Exchange, TakesOilFromTheParticles) {
   ASSERT_FALSE(layer.take(4.0, {1.0, 2.0}, 0.5));
   EXPECT_EQ(layer.ledger().submerged, to_milligrams(6.0));
   EXPECT_EQ(layer.ledger().afloat, to_milligrams(4.0));
-  EXPECT_EQ(layer.take(7.0, {0.0, 0.0}, 0.5), "mass = 7; allowed: at most the 6 kg that are submerged");
+  EXPECT_EQ(text_of(layer.take(7.0, {0.0, 0.0}, 0.5)), "mass: 7; allowed: at most the 6 kg that are submerged");
   ASSERT_FALSE(layer.drop_submerged(6.0));
   EXPECT_EQ(layer.ledger().left_patch, to_milligrams(6.0));
   EXPECT_EQ(layer.ledger().balance(), 0);

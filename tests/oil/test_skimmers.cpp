@@ -90,9 +90,9 @@ TEST(Skimmers, ClearASlickToTheLastMilligram) {
 
 TEST(Skimmers, RefuseWhatIsNoSkimmer) {
   SlickLayer layer(resting());
-  EXPECT_EQ(layer.set_skimmer("s", {{0.0, 0.0}, 0.0, 20.0}), "radius = 0; allowed: above 0 m, up to 1e6 m");
-  EXPECT_EQ(layer.set_skimmer("s", {{0.0, 0.0}, 1.0, -1.0}), "rate = -1; allowed: 0 m3/h to 1e6 m3/h");
-  EXPECT_EQ(layer.set_skimmer("s", {{2e8, 0.0}, 1.0, 1.0}), "position.x = 200000000; allowed: -1e8 m to 1e8 m");
+  EXPECT_EQ(text_of(layer.set_skimmer("s", {{0.0, 0.0}, 0.0, 20.0})), "radius: 0; allowed: above 0 m, up to 1e6 m");
+  EXPECT_EQ(text_of(layer.set_skimmer("s", {{0.0, 0.0}, 1.0, -1.0})), "rate: -1; allowed: 0 m3/h to 1e6 m3/h");
+  EXPECT_EQ(text_of(layer.set_skimmer("s", {{2e8, 0.0}, 1.0, 1.0})), "position.x: 200000000; allowed: -1e8 m to 1e8 m");
   EXPECT_TRUE(layer.state().skimmers.empty());
 }
 

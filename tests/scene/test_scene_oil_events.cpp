@@ -81,9 +81,9 @@ TEST_P(SceneOilEventFault, IsNamedWithWhatIsAllowed) { test::expect_only_fault(G
 TEST(GivenNames, OfferTheNearestAndListTheRest) {
   GivenNames given;
   for (const char* name : {"north", "south"}) given.follow(OilCommand{SetBoom{name, {}, 0.5, 0.36}});
-  const auto misfit = find_unknown_name(OilCommand{RemoveBoom{"nroth"}}, given);
-  ASSERT_TRUE(misfit);
-  EXPECT_EQ(to_string(*misfit),
+  const auto refusal = find_unknown_name(OilCommand{RemoveBoom{"nroth"}}, given);
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(to_string(*refusal),
             "name: there is no boom \"nroth\"; did you mean \"north\"? allowed: \"north\", \"south\"");
   EXPECT_FALSE(find_unknown_name(OilCommand{RemoveBoom{"north"}}, given));
   EXPECT_TRUE(find_unknown_name(OilCommand{RemoveSkimmer{"north"}}, given)) << "a name of another kind";
@@ -141,7 +141,7 @@ TEST(GivenNames, TellWhereThereIsNoRoom) {
 TEST(CommandSurroundings, ABoomNeedsAPieceInThePatch) {
   const CommandSurroundings around{{{0, 0, 0}, {10, 5, 3}}, {}, OilModel::kSlick};
   const auto fits = [&](std::vector<Eigen::Vector2d> line) {
-    return !find_misfit(OilCommand{SetBoom{"b", std::move(line), 0.5, 0.36}}, around);
+    return !find_refusal(OilCommand{SetBoom{"b", std::move(line), 0.5, 0.36}}, around);
   };
   EXPECT_TRUE(fits({{1, 1}, {2, 2}}));
   EXPECT_TRUE(fits({{-5, 2}, {15, 3}})) << "across, moored on both shores";

@@ -146,10 +146,10 @@ TEST(CurrentInAChannel, DoesNotDependOnTheTimeStep) {
 class ShearedCurrent : public testing::TestWithParam<CurrentShear> {
  protected:
   /// Largest difference of a layer's mean from the current's, of 1 m/s at the surface, after 10 s.
-  static double misfit(CurrentShear shear, double relaxation);
+  static double refusal(CurrentShear shear, double relaxation);
 };
 
-double ShearedCurrent::misfit(CurrentShear shear, double relaxation) {
+double ShearedCurrent::refusal(CurrentShear shear, double relaxation) {
   Scene scene = channel();
   scene.current = easterly(1.0);
   scene.current->shear = shear;
@@ -170,7 +170,7 @@ double ShearedCurrent::misfit(CurrentShear shear, double relaxation) {
 TEST_P(ShearedCurrent, HoldsItsProfile) {
   // What particles mix across layers within the relaxation's time: with eight particles over the depth up to 7 % of the
   // surface's velocity with the default of 5 s.
-  const double usual = misfit(GetParam(), CurrentSettings{}.relaxation), hard = misfit(GetParam(), 1.0);
+  const double usual = refusal(GetParam(), CurrentSettings{}.relaxation), hard = refusal(GetParam(), 1.0);
   EXPECT_LT(usual, 0.08);
   EXPECT_LT(hard, 0.06);  // 5.0 % linear, 4.2 to 4.7 % by the power law, as compilers round
 }

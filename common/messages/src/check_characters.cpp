@@ -26,7 +26,7 @@ struct Token {
 using Kind = Token::Kind;
 
 /// Thrown and caught in this file alone: the first fault ends the walk.
-struct Refusal {
+struct BadText {
   FieldFault fault;
 };
 
@@ -34,7 +34,7 @@ class Walk {
  public:
   explicit Walk(std::string_view text) : text_(text), out_(text) {}
 
-  /// The text with its numbers in decimal. Throws Refusal.
+  /// The text with its numbers in decimal. Throws BadText.
   std::string run();
 
  private:
@@ -84,7 +84,7 @@ void Walk::refuse(std::size_t at, int line, const std::string& what) const {
     column += text_[i] == '\t' ? kTabWidth - column % kTabWidth : 1;
     i += character_at(text_, i).bytes;
   }
-  throw Refusal{{line + 1, column + 1, name_.is(Kind::kWord) ? text_of(name_) : "", what}};
+  throw BadText{{line + 1, column + 1, name_.is(Kind::kWord) ? text_of(name_) : "", what}};
 }
 
 void Walk::step() {
@@ -250,8 +250,8 @@ std::string Walk::run() {
 CheckedText check_characters(std::string_view text) {
   try {
     return {Walk(without_byte_order_mark(text)).run(), std::nullopt};
-  } catch (const Refusal& refusal) {
-    return {"", refusal.fault};
+  } catch (const BadText& bad) {
+    return {"", bad.fault};
   }
 }
 

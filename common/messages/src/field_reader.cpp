@@ -97,12 +97,12 @@ int FieldReader::line_of(const Field& descriptor, int index) const {
   return location.line < 0 ? line_ : location.line + 1;
 }
 
-void FieldReader::fault(const Misfit& misfit) const {
-  const std::size_t dot = misfit.field.find('.');
-  if (dot == std::string::npos) return fault(misfit.field.c_str(), misfit.what);
-  const std::string name = misfit.field.substr(0, misfit.field.find('[')), rest = misfit.field.substr(dot + 1);
-  if (name.size() >= dot) return child(misfit.field.substr(0, dot).c_str()).fault(Misfit{rest, misfit.what});
-  children(name.c_str()).at(std::stoul(misfit.field.substr(name.size() + 1))).fault(Misfit{rest, misfit.what});
+void FieldReader::fault(const Refusal& refusal) const {
+  const std::size_t dot = refusal.field.find('.');
+  if (dot == std::string::npos) return fault(refusal.field.c_str(), refusal.what);
+  const std::string name = refusal.field.substr(0, refusal.field.find('[')), rest = refusal.field.substr(dot + 1);
+  if (name.size() >= dot) return child(refusal.field.substr(0, dot).c_str()).fault(Refusal{rest, refusal.what});
+  children(name.c_str()).at(std::stoul(refusal.field.substr(name.size() + 1))).fault(Refusal{rest, refusal.what});
 }
 
 void FieldReader::fault(const char* name, std::string what) const {

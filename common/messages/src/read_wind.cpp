@@ -90,7 +90,7 @@ WindSettings read_wind(const FieldReader& reader) {
   const WindChange change = read_wind_change(reader);
   WindSettings wind;
   if (reader.fault_count() != faults) return wind;
-  if (const auto misfit = merge_wind(change, std::nullopt, wind)) reader.fault(*misfit);
+  if (const auto refusal = merge_wind(change, std::nullopt, wind)) reader.fault(*refusal);
   return wind;
 }
 

@@ -9,29 +9,29 @@ namespace pelagos {
 
 namespace {
 
-using Fault = std::optional<Misfit>;
+using Fault = std::optional<Refusal>;
 
 Fault find_wrong_body(std::uint32_t body, const CommandSurroundings& around) {
   if (std::find(around.bodies.begin(), around.bodies.end(), body) != around.bodies.end()) return {};
   std::string allowed;
   for (const std::uint32_t id : around.bodies) allowed += (allowed.empty() ? "" : ", ") + std::to_string(id);
-  return Misfit{"body", fmt::format("the scene has no body {}; allowed: {}", body,
-                                    allowed.empty() ? "none, it has no bodies" : allowed)};
+  return Refusal{"body", fmt::format("the scene has no body {}; allowed: {}", body,
+                                     allowed.empty() ? "none, it has no bodies" : allowed)};
 }
 
 Fault find_place_outside(const char* field, const Eigen::Vector2d& place, const Box& patch) {
   const auto x = place.array();
   if ((x >= patch.min.head<2>().array()).all() && (x <= patch.max.head<2>().array()).all()) return {};
-  return Misfit{field, fmt::format("({:g}, {:g}) m is outside the patch; allowed: ({:g}, {:g}) to ({:g}, {:g}) m",
-                                   place.x(), place.y(), patch.min.x(), patch.min.y(), patch.max.x(), patch.max.y())};
+  return Refusal{field, fmt::format("({:g}, {:g}) m is outside the patch; allowed: ({:g}, {:g}) to ({:g}, {:g}) m",
+                                    place.x(), place.y(), patch.min.x(), patch.min.y(), patch.max.x(), patch.max.y())};
 }
 
 Fault find_place_outside(const char* field, const Eigen::Vector3d& place, const Box& patch) {
   if ((place.array() >= patch.min.array()).all() && (place.array() <= patch.max.array()).all()) return {};
-  return Misfit{field, fmt::format("({:g}, {:g}, {:g}) m is outside the patch; allowed: ({:g}, {:g}, {:g}) to "
-                                   "({:g}, {:g}, {:g}) m",
-                                   place.x(), place.y(), place.z(), patch.min.x(), patch.min.y(), patch.min.z(),
-                                   patch.max.x(), patch.max.y(), patch.max.z())};
+  return Refusal{field, fmt::format("({:g}, {:g}, {:g}) m is outside the patch; allowed: ({:g}, {:g}, {:g}) to "
+                                    "({:g}, {:g}, {:g}) m",
+                                    place.x(), place.y(), place.z(), patch.min.x(), patch.min.y(), patch.min.z(),
+                                    patch.max.x(), patch.max.y(), patch.max.z())};
 }
 
 /// Whether a piece of the line from a to b lies over the patch: the part of it within both pairs of faces.
@@ -53,17 +53,18 @@ bool crosses(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Box& patc
 Fault find_boom_outside(const std::vector<Eigen::Vector2d>& line, const Box& patch) {
   for (std::size_t i = 1; i < line.size(); ++i)
     if (crosses(line[i - 1], line[i], patch)) return {};
-  return Misfit{"point", fmt::format("all of the boom is outside the patch; allowed: some of it within ({:g}, {:g}) to "
-                                     "({:g}, {:g}) m",
-                                     patch.min.x(), patch.min.y(), patch.max.x(), patch.max.y())};
+  return Refusal{"point",
+                 fmt::format("all of the boom is outside the patch; allowed: some of it within ({:g}, {:g}) to "
+                             "({:g}, {:g}) m",
+                             patch.min.x(), patch.min.y(), patch.max.x(), patch.max.y())};
 }
 
 /// What works on the film alone.
 Fault find_missing_film(const char* what, const CommandSurroundings& around) {
   if (around.oil != OilModel::kParticles) return {};
-  return Misfit{"", fmt::format("{} works on the slick layer; allowed with oil.model SLICK or BOTH in the scene, and "
-                                "here it is PARTICLES",
-                                what)};
+  return Refusal{"", fmt::format("{} works on the slick layer; allowed with oil.model SLICK or BOTH in the scene, and "
+                                 "here it is PARTICLES",
+                                 what)};
 }
 
 struct OilChecker {
@@ -107,17 +108,13 @@ CommandSurroundings command_surroundings(const Scene& scene) {
   return around;
 }
 
-std::optional<Misfit> find_misfit(const Command& command, const CommandSurroundings& around) {
+std::optional<Refusal> find_refusal(const Command& command, const CommandSurroundings& around) {
   if (const auto* set = std::get_if<SetProbe>(&command)) return find_wrong_probe(set->probe, around);
-  if (const auto* set = std::get_if<SetWaves>(&command)) return find_wave_misfit(set->waves, around.gravity);
+  if (const auto* set = std::get_if<SetWaves>(&command)) return find_wave_refusal(set->waves, around.gravity);
   const auto* oil = std::get_if<OilCommand>(&command);
   if (oil == nullptr) return {};
-  if (!around.oil) return Misfit{"", "the scene has no oil; needed there: oil { } with its type and model"};
+  if (!around.oil) return Refusal{"", "the scene has no oil; needed there: oil { } with its type and model"};
   return std::visit(OilChecker{around}, *oil);
-}
-
-std::string to_string(const Misfit& misfit) {
-  return misfit.field.empty() ? misfit.what : misfit.field + ": " + misfit.what;
 }
 
 }  // namespace pelagos

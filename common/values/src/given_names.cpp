@@ -12,20 +12,20 @@ namespace {
 
 constexpr std::size_t kMostListed = 8;
 
-std::optional<Misfit> find_unknown(const char* what, const std::string& name, const std::set<std::string>& given) {
+std::optional<Refusal> find_unknown(const char* what, const std::string& name, const std::set<std::string>& given) {
   if (given.contains(name)) return {};
   std::string text = std::string("there is no ") + what + " \"" + name + "\"";
-  if (given.empty()) return Misfit{"name", text + ", nor any other"};
+  if (given.empty()) return Refusal{"name", text + ", nor any other"};
   const std::string nearest = nearest_name(name, {given.begin(), given.end()});
   if (!nearest.empty()) text += "; did you mean \"" + nearest + "\"?";
   text += nearest.empty() ? "; allowed:" : " allowed:";
   std::size_t listed = 0;
   for (const std::string& known : given) {
     if (++listed > kMostListed)
-      return Misfit{"name", text + " and " + std::to_string(given.size() - kMostListed) + " more"};
+      return Refusal{"name", text + " and " + std::to_string(given.size() - kMostListed) + " more"};
     text += std::string(listed > 1 ? "," : "") + " \"" + known + "\"";
   }
-  return Misfit{"name", text};
+  return Refusal{"name", text};
 }
 
 struct Follower {
@@ -49,15 +49,17 @@ struct Follower {
 struct Checker {
   const GivenNames& given;
 
-  std::optional<Misfit> operator()(const StopRelease& c) const { return find_unknown("source", c.name, given.sources); }
-  std::optional<Misfit> operator()(const RemoveBoom& c) const { return find_unknown("boom", c.name, given.booms); }
-  std::optional<Misfit> operator()(const RemoveSkimmer& c) const {
+  std::optional<Refusal> operator()(const StopRelease& c) const {
+    return find_unknown("source", c.name, given.sources);
+  }
+  std::optional<Refusal> operator()(const RemoveBoom& c) const { return find_unknown("boom", c.name, given.booms); }
+  std::optional<Refusal> operator()(const RemoveSkimmer& c) const {
     return find_unknown("skimmer", c.name, given.skimmers);
   }
-  std::optional<Misfit> operator()(const auto&) const { return {}; }
+  std::optional<Refusal> operator()(const auto&) const { return {}; }
 };
 
-std::optional<Misfit> find_unknown_probe(std::uint32_t id, const std::set<std::uint32_t>& given) {
+std::optional<Refusal> find_unknown_probe(std::uint32_t id, const std::set<std::uint32_t>& given) {
   if (given.contains(id)) return {};
   std::string text = "there is no probe " + std::to_string(id) + (given.empty() ? ", nor any other" : "; allowed:");
   std::size_t listed = 0;
@@ -66,36 +68,36 @@ std::optional<Misfit> find_unknown_probe(std::uint32_t id, const std::set<std::u
     text += (listed > 1 ? ", " : " ") + std::to_string(known);
   }
   if (given.size() > kMostListed) text += " and " + std::to_string(given.size() - kMostListed) + " more";
-  return Misfit{"id", text};
+  return Refusal{"id", text};
 }
 
-std::optional<Misfit> one_too_many(const char* what, std::size_t present, std::size_t most) {
-  return Misfit{"", "there are " + std::to_string(present) + " " + what + "; allowed: at most " + std::to_string(most) +
-                        "; remove one first"};
+std::optional<Refusal> one_too_many(const char* what, std::size_t present, std::size_t most) {
+  return Refusal{"", "there are " + std::to_string(present) + " " + what + "; allowed: at most " +
+                         std::to_string(most) + "; remove one first"};
 }
 
-std::optional<Misfit> find_no_room_for(const SetBoom& c, const GivenNames& given) {
+std::optional<Refusal> find_no_room_for(const SetBoom& c, const GivenNames& given) {
   if (!given.booms.contains(c.name) && given.booms.size() >= kMostBooms)
     return one_too_many("booms", given.booms.size(), kMostBooms);
   std::size_t others = 0;
   for (const auto& [name, points] : given.boom_points) others += name == c.name ? 0 : points;
   if (others + c.line.size() <= kMostBoomPoints) return {};
-  return Misfit{"point", "has " + std::to_string(c.line.size()) + " points; allowed: at most " +
-                             std::to_string(kMostBoomPoints - std::min(others, kMostBoomPoints)) +
-                             ", as all booms together have at most " + std::to_string(kMostBoomPoints) +
-                             " and the others have " + std::to_string(others)};
+  return Refusal{"point", "has " + std::to_string(c.line.size()) + " points; allowed: at most " +
+                              std::to_string(kMostBoomPoints - std::min(others, kMostBoomPoints)) +
+                              ", as all booms together have at most " + std::to_string(kMostBoomPoints) +
+                              " and the others have " + std::to_string(others)};
 }
 
-std::optional<Misfit> find_no_room_for(const SetSkimmer& c, const GivenNames& given) {
+std::optional<Refusal> find_no_room_for(const SetSkimmer& c, const GivenNames& given) {
   if (given.skimmers.contains(c.name) || given.skimmers.size() < kMostSkimmers) return {};
   return one_too_many("skimmers", given.skimmers.size(), kMostSkimmers);
 }
 
-std::optional<Misfit> find_no_room_for(const auto&, const GivenNames&) { return {}; }
+std::optional<Refusal> find_no_room_for(const auto&, const GivenNames&) { return {}; }
 
 }  // namespace
 
-std::optional<Misfit> find_no_room(const Command& command, const GivenNames& given) {
+std::optional<Refusal> find_no_room(const Command& command, const GivenNames& given) {
   if (const auto* set = std::get_if<SetProbe>(&command))
     if (!given.probes.contains(set->probe.id) && given.probes.size() >= kMostProbes)
       return one_too_many("probes", given.probes.size(), kMostProbes);
@@ -110,7 +112,7 @@ void GivenNames::follow(const Command& command) {
   if (const auto* remove = std::get_if<RemoveProbe>(&command)) probes.erase(remove->id);
 }
 
-std::optional<Misfit> find_unknown_name(const Command& command, const GivenNames& given) {
+std::optional<Refusal> find_unknown_name(const Command& command, const GivenNames& given) {
   if (const auto* remove = std::get_if<RemoveProbe>(&command)) return find_unknown_probe(remove->id, given.probes);
   const auto* oil = std::get_if<OilCommand>(&command);
   return oil == nullptr ? std::nullopt : std::visit(Checker{given}, *oil);

@@ -48,24 +48,24 @@ double significant_height(std::span<const WaveSettings> waves) {
   return 4.0 * std::sqrt(variance);
 }
 
-std::optional<Misfit> find_wave_misfit(std::span<const WaveSettings> waves, double gravity) {
+std::optional<Refusal> find_wave_refusal(std::span<const WaveSettings> waves, double gravity) {
   constexpr double kSteepest = 0.5 * kTurn * kHighestSlenderness;  // amplitude times wave number
   double squares = 0.0;
   for (std::size_t i = 0; i < waves.size(); ++i) {
     const double k = wavenumber_of(waves[i], gravity), steepness = waves[i].amplitude * k;
     if (steepness > kSteepest)
-      return Misfit{
+      return Refusal{
           fmt::format("wave[{}].amplitude", i),
           fmt::format("{:g} m is too steep for a wave of {:.4g} m; allowed: at most {:.4g} m, where it breaks",
                       waves[i].amplitude, kTurn / k, kSteepest / k)};
     squares += steepness * steepness;
   }
   if (const double steepness = std::sqrt(squares); steepness > kSteepest)
-    return Misfit{"wave", fmt::format("the waves together have a steepness (root of the sum of (amplitude k)^2) of "
+    return Refusal{"wave", fmt::format("the waves together have a steepness (root of the sum of (amplitude k)^2) of "
                                       "{:.3g}; allowed: at most {:.3g}, that of one breaking wave",
                                       steepness, kSteepest)};
   if (const double height = significant_height(waves); height > kHighestSea)
-    return Misfit{
+    return Refusal{
         "wave", fmt::format("the waves together have a significant height of {:.3g} m; allowed: at most {:g} m", height,
                             kHighestSea)};
   return {};

@@ -8,13 +8,14 @@ namespace pelagos {
 
 namespace {
 
-using Fault = std::optional<Misfit>;
+using Fault = std::optional<Refusal>;
 
 Fault merge_law(const WindChange& change, WindSettings& wind) {
   if (!change.law || *change.law == wind.law) return {};
   const bool other_unit = (*change.law == WindLaw::kPaper) != (wind.law == WindLaw::kPaper);
   if (wind.pulse && other_unit && !change.pulse)
-    return Misfit{"law", "counts the pulse otherwise (seconds; PAPER: steps); needed with it: a pulse, or clear_pulse"};
+    return Refusal{"law",
+                   "counts the pulse otherwise (seconds; PAPER: steps); needed with it: a pulse, or clear_pulse"};
   wind.law = *change.law;
   wind.roughness = default_roughness(wind.law);
   return {};
@@ -26,20 +27,21 @@ Fault merge_mean(const WindChange& change, const std::optional<WindSettings>& pr
     return {};
   }
   if (!change.speed && !present)
-    return Misfit{"",
-                  "gives no mean wind; allowed: exactly one of speed (with from_deg), beaufort (with from_deg), "
-                  "velocity"};
+    return Refusal{"",
+                   "gives no mean wind; allowed: exactly one of speed (with from_deg), beaufort (with from_deg), "
+                   "velocity"};
   if (!change.speed && !change.from_deg) return {};
   const bool has_direction = present && present->velocity.head<2>().norm() > 0.0;
   const double speed = change.speed.value_or(wind.velocity.head<2>().norm());
   if (!change.from_deg && !has_direction && speed > 0.0)
-    return Misfit{"from_deg", "is missing; needed with speed or beaufort: 0 to 360 degrees, where the wind blows from"};
+    return Refusal{"from_deg",
+                   "is missing; needed with speed or beaufort: 0 to 360 degrees, where the wind blows from"};
   wind.velocity = wind_velocity(speed, change.from_deg.value_or(has_direction ? wind_from_deg(wind.velocity) : 0.0));
   return {};
 }
 
 Fault out_of_range(const char* field, double value, double least, double most, const char* unit) {
-  return Misfit{field, fmt::format("{} is out of range; allowed: {} to {} {}", value, least, most, unit)};
+  return Refusal{field, fmt::format("{} is out of range; allowed: {} to {} {}", value, least, most, unit)};
 }
 
 Fault merge_pulse(const WindChange& change, WindSettings& wind) {
@@ -53,9 +55,9 @@ Fault merge_pulse(const WindChange& change, WindSettings& wind) {
     if (period < 0.01 || period > kLongest) return out_of_range("pulse.period", period, 0.01, kLongest, "s");
     if (width < 0.001 || width > kLongest) return out_of_range("pulse.width", width, 0.001, kLongest, "s");
     if (width > period)
-      return Misfit{"pulse.width", fmt::format("{:g} s is longer than the period; allowed: above 0, at most {:g} s "
-                                               "(leave the pulse out for a wind that never stops)",
-                                               width, period)};
+      return Refusal{"pulse.width", fmt::format("{:g} s is longer than the period; allowed: above 0, at most {:g} s "
+                                                "(leave the pulse out for a wind that never stops)",
+                                                width, period)};
   }
   wind.pulse = change.pulse;
   return {};
@@ -74,8 +76,8 @@ WindChange::WindChange(const WindSettings& wind)
   if (wind.law != WindLaw::kStress) beta = wind.beta;
 }
 
-std::optional<Misfit> merge_wind(const WindChange& change, const std::optional<WindSettings>& present,
-                                 WindSettings& wind) {
+std::optional<Refusal> merge_wind(const WindChange& change, const std::optional<WindSettings>& present,
+                                  WindSettings& wind) {
   WindSettings merged = present.value_or(WindSettings{});
   if (change.clear_pulse) merged.pulse.reset();
   if (auto fault = merge_law(change, merged)) return fault;
@@ -84,18 +86,18 @@ std::optional<Misfit> merge_wind(const WindChange& change, const std::optional<W
   merged.length = change.length.value_or(merged.length);
   merged.beta = change.beta.value_or(merged.beta);
   if (change.beta && merged.law == WindLaw::kStress)
-    return Misfit{"beta", "is used by the laws GUST and PAPER only; allowed with STRESS: leave it out"};
+    return Refusal{"beta", "is used by the laws GUST and PAPER only; allowed with STRESS: leave it out"};
   merged.roughness = change.roughness.value_or(merged.roughness);
   if (auto fault = merge_pulse(change, merged)) return fault;
   wind = merged;
   return {};
 }
 
-std::optional<Misfit> merge_wind(const SetWind& command, const std::optional<WindSettings>& present,
-                                 WindSettings& wind) {
-  auto misfit = merge_wind(command.wind, present, wind);
-  if (misfit) misfit->field = misfit->field.empty() ? "wind" : "wind." + misfit->field;
-  return misfit;
+std::optional<Refusal> merge_wind(const SetWind& command, const std::optional<WindSettings>& present,
+                                  WindSettings& wind) {
+  auto refusal = merge_wind(command.wind, present, wind);
+  if (refusal) refusal->field = refusal->field.empty() ? "wind" : "wind." + refusal->field;
+  return refusal;
 }
 
 }  // namespace pelagos

@@ -51,7 +51,7 @@ void measure_state(World& world, BenchResult& result) {
   const std::int64_t begin = monotonic_ns();
   const std::vector<std::byte> file = save_state(world);
   const std::int64_t saved = monotonic_ns();
-  if (const auto refusal = load_state(file, world)) throw std::logic_error(*refusal);
+  if (const auto refusal = load_state(file, world)) throw std::logic_error(to_string(*refusal));
   result.load_ms = static_cast<double>(monotonic_ns() - saved) * 1e-6;
   result.save_ms = static_cast<double>(saved - begin) * 1e-6;
   result.state_bytes = file.size();

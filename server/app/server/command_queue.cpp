@@ -86,7 +86,7 @@ void CommandQueue::close(const std::string& why) {
     left.swap(commands_);
   }
   for (const QueuedCommand& queued : left)
-    if (queued.answer) queued.answer({0, Misfit{"", why}});
+    if (queued.answer) queued.answer({0, Refusal{"", why}});
 }
 
 void CommandQueue::take_changes(std::vector<ScheduleChange>& out) {

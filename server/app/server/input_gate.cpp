@@ -45,7 +45,7 @@ std::optional<std::string> InputGate::submit(const Command& command, const std::
 
 std::optional<std::string> InputGate::submit_before_start(const Command& command, const std::string& source,
                                                           TakeAnswer answer) {
-  CommandAnswer news{0, find_misfit(command, around_), 0};
+  CommandAnswer news{0, find_refusal(command, around_), 0};
   if (!news.refusal) {
     const CommandQueue::Scheduled waiting = commands_.schedule(command, 0.0, source);
     if (waiting.past) return commands_.submit(command, source, std::move(answer));  // it has just started

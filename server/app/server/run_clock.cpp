@@ -20,7 +20,7 @@ RunClock::Outcome RunClock::apply(const Command& command) {
     return {stood, {}};
   }
   if (const auto* step = std::get_if<StepSimulation>(&command)) {
-    if (!paused()) return {false, Misfit{"", "the simulation is running; pause it before stepping"}};
+    if (!paused()) return {false, Refusal{"", "the simulation is running; pause it before stepping"}};
     steps_to_make_ += step->steps;
     if (steps_to_make_ > 0) state_ = State::kStepping;
     return {true, {}};

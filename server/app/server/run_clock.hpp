@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "values/command.hpp"
-#include "values/misfit.hpp"
+#include "values/refusal.hpp"
 
 namespace pelagos {
 
@@ -25,7 +25,7 @@ class RunClock {
   /// What became of a command that steers the clock.
   struct Outcome {
     bool changed = false;
-    std::optional<Misfit> refusal;
+    std::optional<Refusal> refusal;
   };
   [[nodiscard]] Outcome apply(const Command& command);
 

@@ -48,8 +48,8 @@ ControlHooks Server::control_hooks() {
   };
   hooks.cancel = [this](std::uint64_t id, const std::string& source) { return gate_.cancel(id, source); };
   hooks.scheduled = [this] { return gate_.scheduled(); };
-  hooks.find_misfit = [around = command_surroundings(options_.scene)](const Command& c) {
-    return find_misfit(c, around);
+  hooks.find_refusal = [around = command_surroundings(options_.scene)](const Command& c) {
+    return find_refusal(c, around);
   };
   hooks.status = [this] { return *board_.status(); };
   hooks.read_air = [this](const std::vector<Eigen::Vector3d>& position) { return board_.read_air(position); };

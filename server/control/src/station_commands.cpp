@@ -24,8 +24,8 @@ void Station::answer_command(const Request& request) {
   const std::optional<Command> command = read_command(entry, "command", place);
   if (!command && faults.empty()) entry.fault("", "holds no command that this server knows");
   if (command && timed && faults.empty())
-    if (const auto misfit = context_.hooks.find_misfit(*command))
-      entry.child(entry.which("command").c_str()).fault(*misfit);
+    if (const auto refusal = context_.hooks.find_refusal(*command))
+      entry.child(entry.which("command").c_str()).fault(*refusal);
   if (!faults.empty()) return refuse_values(request.id(), faults);
   if (timed) return schedule(request.id(), *command, time);
   submit(request.id(), "command." + entry.which("command"), *command);

@@ -16,18 +16,18 @@ namespace {
 /// A place farther out than this is a fault of the caller; cells of the neighbour search still fit in 32 bits.
 constexpr double kFarthest = 1e8;
 
-std::optional<std::string> check_above_zero(const std::string& field, double value) {
+std::optional<Refusal> check_above_zero(const std::string& field, double value) {
   return check(field, value, value > 0.0, "finite and above 0");
 }
 
 template <std::size_t N>
-std::optional<std::string> first_of(const std::array<std::optional<std::string>, N>& faults) {
+std::optional<Refusal> first_of(const std::array<std::optional<Refusal>, N>& faults) {
   for (const auto& fault : faults)
     if (fault) return fault;
   return {};
 }
 
-std::optional<std::string> check_patch(const SlickPatch& patch) {
+std::optional<Refusal> check_patch(const SlickPatch& patch) {
   for (int axis = 0; axis < 2; ++axis) {
     const std::string name = axis == 0 ? "patch.min.x" : "patch.min.y";
     if (auto fault = check(name, patch.min[axis], std::isfinite(patch.max[axis]) && patch.min[axis] < patch.max[axis],
@@ -52,21 +52,21 @@ std::string short_number(double value) {
   return text.data();
 }
 
-std::string describe_fault(const std::string& field, double value, const std::string& allowed) {
-  return field + " = " + number_text(value) + "; allowed: " + allowed;
+Refusal refuse(const std::string& field, double value, const std::string& allowed) {
+  return {field, number_text(value) + "; allowed: " + allowed};
 }
 
-std::optional<std::string> check(const std::string& field, double value, bool holds, const std::string& allowed) {
+std::optional<Refusal> check(const std::string& field, double value, bool holds, const std::string& allowed) {
   if (holds && std::isfinite(value)) return {};
-  return describe_fault(field, value, allowed);
+  return refuse(field, value, allowed);
 }
 
-std::optional<std::string> check_mass(double kilograms) {
+std::optional<Refusal> check_mass(double kilograms) {
   return check("mass", kilograms, kilograms > 0.0 && kilograms <= kMostOilMass && to_milligrams(kilograms) > 0,
                "1e-6 kg to 1e9 kg");
 }
 
-std::optional<std::string> check_place(const Eigen::Vector2d& position) {
+std::optional<Refusal> check_place(const Eigen::Vector2d& position) {
   for (int axis = 0; axis < 2; ++axis)
     if (auto fault = check(axis == 0 ? "position.x" : "position.y", position[axis],
                            std::abs(position[axis]) <= kFarthest, "-1e8 m to 1e8 m"))
@@ -74,11 +74,11 @@ std::optional<std::string> check_place(const Eigen::Vector2d& position) {
   return {};
 }
 
-std::optional<std::string> check_radius(double radius) {
+std::optional<Refusal> check_radius(double radius) {
   return check("radius", radius, radius >= 1e-3 && radius <= 1e6, "0.001 m to 1e6 m");
 }
 
-std::optional<std::string> find_fault(const SlickSettings& s) {
+std::optional<Refusal> find_fault(const SlickSettings& s) {
   const auto share = [](const std::string& field, double value) {
     return check(field, value, value >= 0.0 && value <= 0.1, "0 to 0.1");
   };
@@ -111,17 +111,20 @@ std::optional<std::string> find_fault(const SlickSettings& s) {
   return fault;
 }
 
-std::optional<std::string> find_fault(const Boom& boom) {
+std::optional<Refusal> find_fault(const Boom& boom) {
   if (boom.line.size() < 2 || boom.line.size() > kMostPointsPerBoom)
-    return describe_fault("line: points", static_cast<double>(boom.line.size()),
-                          "2 to " + std::to_string(kMostPointsPerBoom));
+    return refuse("line", static_cast<double>(boom.line.size()),
+                  "2 to " + std::to_string(kMostPointsPerBoom) + " points");
   for (std::size_t i = 0; i < boom.line.size(); ++i) {
-    if (auto fault = check_place(boom.line[i])) return "line[" + std::to_string(i) + "]." + *fault;
+    if (auto fault = check_place(boom.line[i])) {
+      fault->field = "line[" + std::to_string(i) + "]." + fault->field;
+      return fault;
+    }
     if (i == 0) continue;
     const double length = (boom.line[i] - boom.line[i - 1]).norm();
     if (length < 0.1)
-      return "line: points " + std::to_string(i - 1) + " and " + std::to_string(i) + " are " + short_number(length) +
-             " m apart; allowed: at least 0.1";
+      return Refusal{"line", "points " + std::to_string(i - 1) + " and " + std::to_string(i) + " are " +
+                                 short_number(length) + " m apart; allowed: at least 0.1"};
   }
   return first_of(std::array{
       check_above_zero("draft", boom.draft),
@@ -130,7 +133,7 @@ std::optional<std::string> find_fault(const Boom& boom) {
   });
 }
 
-std::optional<std::string> find_fault(const Skimmer& skimmer) {
+std::optional<Refusal> find_fault(const Skimmer& skimmer) {
   return first_of(std::array{
       check_place(skimmer.position),
       check("radius", skimmer.radius, skimmer.radius > 0.0 && skimmer.radius <= 1e6, "above 0 m, up to 1e6 m"),

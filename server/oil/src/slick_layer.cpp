@@ -37,7 +37,7 @@ SpreadLaw spread_law(const SlickSettings& s) {
                          s.terminal_thickness.value_or(terminal_thickness(kinematic_viscosity(s.oil))));
 }
 
-std::optional<std::string> check_submerged(double mass, Milligrams submerged) {
+std::optional<Refusal> check_submerged(double mass, Milligrams submerged) {
   return check("mass", mass, to_milligrams(mass) <= submerged,
                "at most the " + number_text(to_kilograms(submerged)) + " kg that are submerged");
 }
@@ -56,7 +56,7 @@ struct SlickLayer::Workspace {
 };
 
 SlickLayer::SlickLayer(const SlickSettings& settings) : settings_(settings), work_(std::make_unique<Workspace>()) {
-  if (const auto fault = find_fault(settings)) throw std::invalid_argument(*fault);
+  if (const auto fault = find_fault(settings)) throw std::invalid_argument(to_string(*fault));
   work_->law = spread_law(settings_);
 }
 
@@ -79,7 +79,7 @@ void SlickLayer::keep_within_bound() {
   if (state_.elements.size() > most) merge_down_to(most - most / kRoomPerBound, work_->barriers, state_.elements);
 }
 
-std::optional<std::string> SlickLayer::release(double mass, const Eigen::Vector2d& position, double radius) {
+std::optional<Refusal> SlickLayer::release(double mass, const Eigen::Vector2d& position, double radius) {
   if (auto fault = check_mass(mass)) return fault;
   if (auto fault = check_place(position)) return fault;
   if (auto fault = check_radius(radius)) return fault;
@@ -88,14 +88,14 @@ std::optional<std::string> SlickLayer::release(double mass, const Eigen::Vector2
   return {};
 }
 
-std::optional<std::string> SlickLayer::release_submerged(double mass) {
+std::optional<Refusal> SlickLayer::release_submerged(double mass) {
   if (auto fault = check_mass(mass)) return fault;
   state_.booked.released += to_milligrams(mass);
   state_.booked.submerged += to_milligrams(mass);
   return {};
 }
 
-std::optional<std::string> SlickLayer::take(double mass, const Eigen::Vector2d& position, double radius) {
+std::optional<Refusal> SlickLayer::take(double mass, const Eigen::Vector2d& position, double radius) {
   if (auto fault = check_mass(mass)) return fault;
   if (auto fault = check_place(position)) return fault;
   if (auto fault = check_radius(radius)) return fault;
@@ -106,7 +106,7 @@ std::optional<std::string> SlickLayer::take(double mass, const Eigen::Vector2d& 
   return {};
 }
 
-std::optional<std::string> SlickLayer::drop_submerged(double mass) {
+std::optional<Refusal> SlickLayer::drop_submerged(double mass) {
   if (auto fault = check_mass(mass)) return fault;
   const Milligrams dropped = to_milligrams(mass);
   if (auto fault = check_submerged(mass, state_.booked.submerged)) return fault;
@@ -123,7 +123,7 @@ std::vector<ReturnedOil> SlickLayer::give_back() {
   return returned;
 }
 
-std::optional<std::string> SlickLayer::set_boom(const std::string& name, const Boom& boom) {
+std::optional<Refusal> SlickLayer::set_boom(const std::string& name, const Boom& boom) {
   if (auto fault = find_fault(boom)) return fault;
   BoomState& state = state_.booms[name];
   surface_leaks(state);
@@ -133,7 +133,7 @@ std::optional<std::string> SlickLayer::set_boom(const std::string& name, const B
   return {};
 }
 
-std::optional<std::string> SlickLayer::set_skimmer(const std::string& name, const Skimmer& skimmer) {
+std::optional<Refusal> SlickLayer::set_skimmer(const std::string& name, const Skimmer& skimmer) {
   if (auto fault = find_fault(skimmer)) return fault;
   state_.skimmers[name].skimmer = skimmer;
   return {};

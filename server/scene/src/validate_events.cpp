@@ -34,14 +34,14 @@ struct Foreseen {
   GivenNames names;
 };
 
-std::optional<Misfit> follow_wind(const Command& command, std::optional<WindSettings>& wind) {
+std::optional<Refusal> follow_wind(const Command& command, std::optional<WindSettings>& wind) {
   if (std::holds_alternative<ClearWind>(command)) wind.reset();
   const auto* set = std::get_if<SetWind>(&command);
   if (set == nullptr) return {};
   WindSettings merged;
-  auto misfit = merge_wind(*set, wind, merged);
-  if (!misfit) wind = merged;
-  return misfit;
+  auto refusal = merge_wind(*set, wind, merged);
+  if (!refusal) wind = merged;
+  return refusal;
 }
 
 /// Whether the command fits what the scene has, and what the events before it have set. Stations may change that while
@@ -49,11 +49,11 @@ std::optional<Misfit> follow_wind(const Command& command, std::optional<WindSett
 void check_fit(const FieldReader& entry, const std::optional<CommandSurroundings>& commands, const Command& command,
                Foreseen& foreseen) {
   GivenNames& given = foreseen.names;
-  std::optional<Misfit> misfit = follow_wind(command, foreseen.wind);
-  if (!misfit && commands) misfit = find_misfit(command, *commands);
-  if (!misfit) misfit = find_unknown_name(command, given);
-  if (!misfit) misfit = find_no_room(command, given);
-  if (misfit) entry.child(entry.which("command").c_str()).fault(*misfit);
+  std::optional<Refusal> refusal = follow_wind(command, foreseen.wind);
+  if (!refusal && commands) refusal = find_refusal(command, *commands);
+  if (!refusal) refusal = find_unknown_name(command, given);
+  if (!refusal) refusal = find_no_room(command, given);
+  if (refusal) entry.child(entry.which("command").c_str()).fault(*refusal);
   given.follow(command);
 }
 

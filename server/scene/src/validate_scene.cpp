@@ -164,9 +164,9 @@ std::vector<ProbeSettings> read_probes(const FieldReader& reader, const std::opt
     const bool taken =
         std::any_of(probes.begin(), probes.end(), [&](const ProbeSettings& other) { return other.id == probe.id; });
     if (taken && probe.id != 0) entry.fault("id", std::to_string(probe.id) + " is taken by another probe");
-    const auto misfit =
-        commands && entry.fault_count() == faults ? find_misfit(SetProbe{probe}, *commands) : std::nullopt;
-    if (misfit) entry.fault(misfit->field.c_str(), misfit->what);
+    const auto refusal =
+        commands && entry.fault_count() == faults ? find_refusal(SetProbe{probe}, *commands) : std::nullopt;
+    if (refusal) entry.fault(refusal->field.c_str(), refusal->what);
     probes.push_back(probe);
   }
   return probes;
@@ -189,8 +189,8 @@ void read_far_sea(const FieldReader& reader, double gravity, FarSeaSettings& far
   far_sea.waves = read_waves(entry);
   for (const char* field : {"beaufort", "wave_to_deg", "components"})
     if (entry.has("wave") && entry.has(field)) entry.fault(field, "is given beside waves; allowed: one or the other");
-  const auto misfit = entry.fault_count() == faults ? find_wave_misfit(far_sea.waves, gravity) : std::nullopt;
-  if (misfit) entry.fault(*misfit);
+  const auto refusal = entry.fault_count() == faults ? find_wave_refusal(far_sea.waves, gravity) : std::nullopt;
+  if (refusal) entry.fault(*refusal);
   entry.read("beaufort", {0, 12, "Beaufort"}, far_sea.beaufort);
   entry.read("wave_to_deg", {0.0, 360.0, "degrees clockwise from north, where the waves run to"}, far_sea.wave_to_deg);
   entry.read("components", {1, 128}, far_sea.components);

@@ -14,9 +14,9 @@ namespace pelagos {
 
 namespace {
 
-/// The layer names the field in its text.
-std::optional<Misfit> misfit_of(const std::optional<std::string>& fault) {
-  return fault ? std::optional(Misfit{"", *fault}) : std::nullopt;
+/// The fields of the layer are not those of the commands.
+std::optional<Refusal> as_whole(const std::optional<Refusal>& refusal) {
+  return refusal ? std::optional(Refusal{"", to_string(*refusal)}) : std::nullopt;
 }
 
 SlickSettings film_settings(const Scene& scene) {
@@ -61,23 +61,23 @@ double OilSpill::particle_mass() const {
   return to_kilograms(to_milligrams(oil_density_ * spacing_ * spacing_ * spacing_));
 }
 
-std::optional<Misfit> OilSpill::apply(const ReleaseOil& c, const Bodies& hulls) {
+std::optional<Refusal> OilSpill::apply(const ReleaseOil& c, const Bodies& hulls) {
   for (const auto& [field, place] : {std::pair{"from", c.from}, {"to", c.to}})
     if (c.body == 0 && !hulls.empty() && hulls.covers(place, 0.0))
-      return Misfit{field,
-                    fmt::format("({:g}, {:g}, {:g}) m is inside a hull; allowed: in the water, or fixed to the body",
-                                place.x(), place.y(), place.z())};
+      return Refusal{field,
+                     fmt::format("({:g}, {:g}, {:g}) m is inside a hull; allowed: in the water, or fixed to the body",
+                                 place.x(), place.y(), place.z())};
   const double volume = c.rate / 3600.0 * c.duration,
                room = (most_particles_ - std::min(most_particles_, particles_)) * spacing_ * spacing_ * spacing_;
   if (model_ == OilModel::kParticles && std::isfinite(volume) && volume > room)
-    return Misfit{"rate",
-                  fmt::format("{:g} m^3/h for {:g} s are {:g} m^3, but there is room for {:g} m^3 in particles "
-                              "(oil.most_particles {}); allowed: less, a higher bound, or oil.model SLICK or BOTH",
-                              c.rate, c.duration, volume, room, most_particles_)};
+    return Refusal{"rate",
+                   fmt::format("{:g} m^3/h for {:g} s are {:g} m^3, but there is room for {:g} m^3 in particles "
+                               "(oil.most_particles {}); allowed: less, a higher bound, or oil.model SLICK or BOTH",
+                               c.rate, c.duration, volume, room, most_particles_)};
   if (!sources_.contains(c.name) && sources_.size() >= kMostReleases)
-    return Misfit{"",
-                  fmt::format("{} sources are running; allowed: at most {}; stop one, or wait until one has run out",
-                              sources_.size(), kMostReleases)};
+    return Refusal{"",
+                   fmt::format("{} sources are running; allowed: at most {}; stop one, or wait until one has run out",
+                               sources_.size(), kMostReleases)};
   Source& source = sources_[c.name];
   source.settings = c;
   source.left = c.duration;
@@ -86,36 +86,36 @@ std::optional<Misfit> OilSpill::apply(const ReleaseOil& c, const Bodies& hulls) 
 }
 
 /// It ends in the next step, which brings out what has flowed so far.
-std::optional<Misfit> OilSpill::apply(const StopRelease& c) {
+std::optional<Refusal> OilSpill::apply(const StopRelease& c) {
   const auto source = sources_.find(c.name);
   if (source == sources_.end() || source->second.left <= 0.0)
-    return Misfit{"name", "no source \"" + c.name + "\" is running; it may have run out"};
+    return Refusal{"name", "no source \"" + c.name + "\" is running; it may have run out"};
   source->second.left = 0.0;
   return std::nullopt;
 }
 
-std::optional<Misfit> OilSpill::apply(const SpillOil& c) {
-  return misfit_of(layer_.release(c.volume * oil_density_, c.position, c.radius));
+std::optional<Refusal> OilSpill::apply(const SpillOil& c) {
+  return as_whole(layer_.release(c.volume * oil_density_, c.position, c.radius));
 }
 
-std::optional<Misfit> OilSpill::apply(const SetBoom& c) {
+std::optional<Refusal> OilSpill::apply(const SetBoom& c) {
   Boom boom;
   boom.line = c.line;
   boom.draft = c.draft;
   boom.critical_speed = c.critical_speed;
-  return misfit_of(layer_.set_boom(c.name, boom));
+  return as_whole(layer_.set_boom(c.name, boom));
 }
 
-std::optional<Misfit> OilSpill::apply(const RemoveBoom& c) {
+std::optional<Refusal> OilSpill::apply(const RemoveBoom& c) {
   layer_.remove_boom(c.name);
   return std::nullopt;
 }
 
-std::optional<Misfit> OilSpill::apply(const SetSkimmer& c) {
-  return misfit_of(layer_.set_skimmer(c.name, Skimmer{c.position, c.radius, c.rate}));
+std::optional<Refusal> OilSpill::apply(const SetSkimmer& c) {
+  return as_whole(layer_.set_skimmer(c.name, Skimmer{c.position, c.radius, c.rate}));
 }
 
-std::optional<Misfit> OilSpill::apply(const RemoveSkimmer& c) {
+std::optional<Refusal> OilSpill::apply(const RemoveSkimmer& c) {
   layer_.remove_skimmer(c.name);
   return std::nullopt;
 }

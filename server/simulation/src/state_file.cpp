@@ -30,12 +30,12 @@ void put_number(std::span<std::byte> file, std::size_t place, std::uint64_t numb
   std::memcpy(file.data() + place, &number, sizeof number);
 }
 
-std::string refuse(const std::string& what, const std::string& allowed) {
-  return "state file: " + what + "; allowed: " + allowed;
+Refusal refuse(const std::string& what, const std::string& allowed) {
+  return {"state file", what + "; allowed: " + allowed};
 }
 
 /// What is wrong with a file as bytes.
-std::optional<std::string> find_file_fault(std::span<const std::byte> file) {
+std::optional<Refusal> find_file_fault(std::span<const std::byte> file) {
   if (file.size() < kHeader)
     return refuse(fmt::format("it has {} bytes", file.size()),
                   fmt::format("a whole file, of at least {} bytes", kHeader));
@@ -52,7 +52,7 @@ std::optional<std::string> find_file_fault(std::span<const std::byte> file) {
   return std::nullopt;
 }
 
-std::optional<std::string> find_origin_fault(const StateOrigin& saved, const StateOrigin& now) {
+std::optional<Refusal> find_origin_fault(const StateOrigin& saved, const StateOrigin& now) {
   const auto differs = [](const char* what, const std::string& then, const std::string& here) {
     return refuse(fmt::format("it is of {} {}", what, then), fmt::format("{} {}, that of this run", what, here));
   };
@@ -88,9 +88,9 @@ std::vector<std::byte> save_state(const World& world) {
   return file;
 }
 
-std::optional<std::string> load_state(std::span<const std::byte> file, World& world) {
+std::optional<Refusal> load_state(std::span<const std::byte> file, World& world) {
   if (auto fault = find_file_fault(file)) return fault;
-  FieldReader reader(file.subspan(kHeader));
+  FieldDecoder reader(file.subspan(kHeader));
   StateOrigin saved;
   WorldState state;
   try {
@@ -100,7 +100,7 @@ std::optional<std::string> load_state(std::span<const std::byte> file, World& wo
       return refuse("its fields are not those of this build", "a file that this build has saved");
     reader.read(state);
     reader.finish();
-  } catch (const FieldFault& fault) {
+  } catch (const DecodeFault& fault) {
     return refuse(fault.what(), "a file that this build has saved");
   }
   if (!world.accepts(state))

@@ -33,7 +33,7 @@ std::vector<CommandOutcome> World::take(const StepInputs& inputs) {
 }
 
 CommandOutcome World::apply(const Command& command) {
-  CommandOutcome outcome{command, find_misfit(command, around_)};
+  CommandOutcome outcome{command, find_refusal(command, around_)};
   if (!outcome.refusal && uses_names(command)) {
     const GivenNames given = names();
     outcome.refusal = find_unknown_name(command, given);
@@ -45,40 +45,40 @@ CommandOutcome World::apply(const Command& command) {
   return outcome;
 }
 
-std::optional<Misfit> World::apply_valid(const Command& command) {
-  using Refusal = std::optional<Misfit>;
+std::optional<Refusal> World::apply_valid(const Command& command) {
+  using Answer = std::optional<Refusal>;
   struct Visitor {
     World& world;
-    Refusal operator()(const SetWind& c) const { return world.set_wind(c); }
-    Refusal operator()(const ClearWind&) const {
+    Answer operator()(const SetWind& c) const { return world.set_wind(c); }
+    Answer operator()(const ClearWind&) const {
       world.wind_.reset();
       return {};
     }
-    Refusal operator()(const SetCurrent& c) const {
+    Answer operator()(const SetCurrent& c) const {
       world.set_current(c.current, c.ramp_seconds);
       return {};
     }
-    Refusal operator()(const ClearCurrent&) const {
+    Answer operator()(const ClearCurrent&) const {
       world.clear_current();
       return {};
     }
-    Refusal operator()(const SetWaves& c) const { return world.set_waves(c); }
-    Refusal operator()(const SetEffort& c) const {
+    Answer operator()(const SetWaves& c) const { return world.set_waves(c); }
+    Answer operator()(const SetEffort& c) const {
       world.set_effort(c.effort);
       return {};
     }
-    Refusal operator()(const PauseSimulation&) const { return {}; }
-    Refusal operator()(const ResumeSimulation&) const { return {}; }
-    Refusal operator()(const StepSimulation&) const { return {}; }
-    Refusal operator()(const SetProbe& c) const {
+    Answer operator()(const PauseSimulation&) const { return {}; }
+    Answer operator()(const ResumeSimulation&) const { return {}; }
+    Answer operator()(const StepSimulation&) const { return {}; }
+    Answer operator()(const SetProbe& c) const {
       world.probes_.set(c.probe);
       return {};
     }
-    Refusal operator()(const RemoveProbe& c) const {
+    Answer operator()(const RemoveProbe& c) const {
       world.probes_.remove(c.id);
       return {};
     }
-    Refusal operator()(const OilCommand& c) const { return world.apply_to_oil(c); }
+    Answer operator()(const OilCommand& c) const { return world.apply_to_oil(c); }
   };
   return std::visit(Visitor{*this}, command);
 }
@@ -96,9 +96,9 @@ GivenNames World::names() const {
   return given;
 }
 
-std::optional<Misfit> World::apply_to_oil(const OilCommand& command) {
+std::optional<Refusal> World::apply_to_oil(const OilCommand& command) {
   return std::visit(
-      [&](const auto& c) -> std::optional<Misfit> {
+      [&](const auto& c) -> std::optional<Refusal> {
         if constexpr (std::is_same_v<std::decay_t<decltype(c)>, ReleaseOil>)
           return spill_->apply(c, bodies_);
         else
@@ -117,10 +117,10 @@ void World::advance_oil(double dt, double time, StepReport& report) {
   spill_->advance(dt, sea, fluid_);
 }
 
-std::optional<Misfit> World::set_wind(const SetWind& command) {
+std::optional<Refusal> World::set_wind(const SetWind& command) {
   WindSettings wind;
   const auto present = wind_ ? std::optional(wind_->air().target()) : std::nullopt;
-  if (auto misfit = merge_wind(command, present, wind)) return misfit;
+  if (auto refusal = merge_wind(command, present, wind)) return refusal;
   if (!wind_) {  // from calm: the same wind without speed, ramped up
     WindSettings calm = wind;
     calm.velocity.setZero();
@@ -131,9 +131,9 @@ std::optional<Misfit> World::set_wind(const SetWind& command) {
   return {};
 }
 
-std::optional<Misfit> World::set_waves(const SetWaves& command) {
+std::optional<Refusal> World::set_waves(const SetWaves& command) {
   if (sea_.exchange(wave_components(command.waves, around_.gravity), clock_.time(), command.blend_seconds)) return {};
-  return Misfit{"", fmt::format("{} exchanges of the waves still run; allowed: at most so many, and another one from "
+  return Refusal{"", fmt::format("{} exchanges of the waves still run; allowed: at most so many, and another one from "
                                 "{:g} s on",
                                 WaveField::kMostLayers - 1, sea_.open_from())};
 }

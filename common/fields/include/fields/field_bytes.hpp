@@ -56,16 +56,16 @@ class FieldWriter : public FieldEncoder<ByteList> {
 };
 
 /// Bytes that are no value of the type that is read.
-class FieldFault : public std::runtime_error {
+class DecodeFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Reads a value from bytes that FieldWriter wrote. Throws FieldFault, and std::bad_alloc never for what the bytes
+/// Reads a value from bytes that FieldWriter wrote. Throws DecodeFault, and std::bad_alloc never for what the bytes
 /// hold: nothing is allocated for which the bytes that follow do not suffice.
-class FieldReader {
+class FieldDecoder {
  public:
-  explicit FieldReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  explicit FieldDecoder(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
   template <class T>
   void operator()(const char* name, T&& value) {
@@ -116,7 +116,7 @@ class FieldReader {
 
   /// Throws unless all bytes have been read.
   void finish() const {
-    if (!bytes_.empty()) throw FieldFault(std::to_string(bytes_.size()) + " bytes are left over");
+    if (!bytes_.empty()) throw DecodeFault(std::to_string(bytes_.size()) + " bytes are left over");
   }
 
  private:
@@ -124,7 +124,7 @@ class FieldReader {
   static constexpr std::size_t least_bytes() {
     return IsScalars<T> ? sizeof(T) : 1;
   }
-  [[noreturn]] void fail(const std::string& what) const { throw FieldFault(std::string(name_) + " " + what); }
+  [[noreturn]] void fail(const std::string& what) const { throw DecodeFault(std::string(name_) + " " + what); }
   void need(std::size_t count, std::size_t each) const {
     if (count > bytes_.size() / each) fail("goes on beyond the end");
   }
@@ -198,10 +198,10 @@ template <class T>
   return writer.take();
 }
 
-/// Throws FieldFault; `value` is then in an unknown state.
+/// Throws DecodeFault; `value` is then in an unknown state.
 template <class T>
 void from_bytes(std::span<const std::byte> bytes, T& value) {
-  FieldReader reader(bytes);
+  FieldDecoder reader(bytes);
   reader.read(value);
   reader.finish();
 }

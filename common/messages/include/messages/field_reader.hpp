@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "text/nearest_name.hpp"
-#include "values/misfit.hpp"
+#include "values/refusal.hpp"
 
 namespace pelagos {
 
@@ -76,7 +76,7 @@ class FieldReader {
   /// Notes a fault of a field of this message, or of the message itself (name "").
   void fault(const char* name, std::string what) const;
   /// Notes what does not fit: its field may be a path, as in "pulse.width" or "wave[2].length".
-  void fault(const Misfit& misfit) const;
+  void fault(const Refusal& refusal) const;
   [[nodiscard]] std::size_t fault_count() const { return faults_->size(); }
 
  private:

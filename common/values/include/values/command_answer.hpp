@@ -4,14 +4,14 @@
 #include <functional>
 #include <optional>
 
-#include "values/misfit.hpp"
+#include "values/refusal.hpp"
 
 namespace pelagos {
 
 /// What became of a command at the step boundary where it was due, or that it waits for the start of the simulation.
 struct CommandAnswer {
   std::uint64_t step = 0;          ///< steps made before it took effect
-  std::optional<Misfit> refusal;   ///< then nothing has changed
+  std::optional<Refusal> refusal;  ///< then nothing has changed
   std::uint64_t scheduled_id = 0;  ///< > 0: it waits under this id for the first boundary
 };
 

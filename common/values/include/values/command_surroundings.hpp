@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "values/command.hpp"
-#include "values/misfit.hpp"
+#include "values/refusal.hpp"
 #include "values/scene.hpp"
 
 namespace pelagos {
@@ -24,6 +24,6 @@ struct CommandSurroundings {
 /// @return what the scene alone tells against the command: places outside the patch, bodies that are not there, oil that
 ///         the scene has not, waves that would break; nothing if it fits. The world may still refuse it for its present
 ///         state.
-[[nodiscard]] std::optional<Misfit> find_misfit(const Command& command, const CommandSurroundings& around);
+[[nodiscard]] std::optional<Refusal> find_refusal(const Command& command, const CommandSurroundings& around);
 
 }  // namespace pelagos

@@ -20,11 +20,11 @@ struct GivenNames {
 };
 
 /// @return why the command speaks of something that is not there, with the nearest name that is; nothing if it does not
-[[nodiscard]] std::optional<Misfit> find_unknown_name(const Command& command, const GivenNames& given);
+[[nodiscard]] std::optional<Refusal> find_unknown_name(const Command& command, const GivenNames& given);
 
 /// @return why what the command sets would be one too many (values/oil_limits.hpp, kMostProbes); nothing if there is
 /// room.
 ///         How many sources run at a time is not foreseen: the world tells.
-[[nodiscard]] std::optional<Misfit> find_no_room(const Command& command, const GivenNames& given);
+[[nodiscard]] std::optional<Refusal> find_no_room(const Command& command, const GivenNames& given);
 
 }  // namespace pelagos

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "values/misfit.hpp"
+#include "values/refusal.hpp"
 #include "waves/wave_components.hpp"
 
 namespace pelagos {
@@ -37,6 +37,6 @@ inline constexpr double kHighestSea = 30.0;
 
 /// @return what makes waves no sea: one that is steeper than a breaking one, or all together too steep or too high. The
 ///         field is "wave[2].amplitude" or "wave".
-[[nodiscard]] std::optional<Misfit> find_wave_misfit(std::span<const WaveSettings> waves, double gravity);
+[[nodiscard]] std::optional<Refusal> find_wave_refusal(std::span<const WaveSettings> waves, double gravity);
 
 }  // namespace pelagos

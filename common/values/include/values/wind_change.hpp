@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "values/misfit.hpp"
+#include "values/refusal.hpp"
 #include "values/wind.hpp"
 
 namespace pelagos {
@@ -29,10 +29,10 @@ struct WindChange {
 /// @param present  the wind last set; nothing: no wind, and the mean must be given in full
 /// @param wind     out: only where nothing is wrong
 /// @return what is wrong; its field is one of the message Wind (proto/wind.proto), or "clear_pulse"
-[[nodiscard]] std::optional<Misfit> merge_wind(const WindChange& change, const std::optional<WindSettings>& present,
-                                               WindSettings& wind);
+[[nodiscard]] std::optional<Refusal> merge_wind(const WindChange& change, const std::optional<WindSettings>& present,
+                                                WindSettings& wind);
 /// The same for a command; the field of what is wrong is one of the message SetWind: "wind.speed".
-[[nodiscard]] std::optional<Misfit> merge_wind(const SetWind& command, const std::optional<WindSettings>& present,
-                                               WindSettings& wind);
+[[nodiscard]] std::optional<Refusal> merge_wind(const SetWind& command, const std::optional<WindSettings>& present,
+                                                WindSettings& wind);
 
 }  // namespace pelagos

@@ -64,7 +64,7 @@ struct ControlHooks {
   /// All that wait, in the order in which they fall due.
   std::function<std::vector<ScheduledCommand>()> scheduled;
   /// What the scene alone tells against a command that is to wait for its time.
-  std::function<std::optional<Misfit>(const Command& command)> find_misfit;
+  std::function<std::optional<Refusal>(const Command& command)> find_refusal;
   std::function<ServerStatus()> status;
   /// The air as it moves now at each of the places (m, world).
   std::function<AirReading(const std::vector<Eigen::Vector3d>& position)> read_air;

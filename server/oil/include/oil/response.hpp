@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "values/oil_mass.hpp"
+#include "values/refusal.hpp"
 
 namespace pelagos {
 
@@ -65,7 +66,7 @@ struct SkimmerReport {
 };
 
 /// What is wrong with it, naming field, value and what is allowed; empty if nothing is.
-[[nodiscard]] std::optional<std::string> find_fault(const Boom& boom);
-[[nodiscard]] std::optional<std::string> find_fault(const Skimmer& skimmer);
+[[nodiscard]] std::optional<Refusal> find_fault(const Boom& boom);
+[[nodiscard]] std::optional<Refusal> find_fault(const Skimmer& skimmer);
 
 }  // namespace pelagos

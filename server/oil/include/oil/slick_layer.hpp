@@ -15,6 +15,7 @@
 #include "oil/slick_state.hpp"
 #include "oil/slick_surroundings.hpp"
 #include "values/oil_ledger.hpp"
+#include "values/refusal.hpp"
 
 namespace pelagos {
 
@@ -65,7 +66,7 @@ struct SlickReport {
 ///
 /// Deterministic: the same calls give the same bits; one thread does it all. Mass is exact to the milligram.
 ///
-/// Functions that return an optional text refuse bad input with it and then change nothing.
+/// Functions that return an optional refusal change nothing where they return one.
 class SlickLayer {
  public:
   /// Throws std::invalid_argument naming field, value and what is allowed.
@@ -79,22 +80,22 @@ class SlickLayer {
   /// New oil on the water, as a disc.
   /// @param mass    kg, 1e-6 to 1e9
   /// @param radius  m, 0.001 to 1e6
-  [[nodiscard]] std::optional<std::string> release(double mass, const Eigen::Vector2d& position, double radius);
+  [[nodiscard]] std::optional<Refusal> release(double mass, const Eigen::Vector2d& position, double radius);
   /// New oil in the particle phase. The ledger counts it; the particles are the caller's.
-  [[nodiscard]] std::optional<std::string> release_submerged(double mass);
+  [[nodiscard]] std::optional<Refusal> release_submerged(double mass);
   /// Oil of the particle phase becomes film: for particles that the water has drawn out thinner than themselves. It is
   /// fresh oil to the layer, whatever it went through before. Refused beyond what is submerged.
-  [[nodiscard]] std::optional<std::string> take(double mass, const Eigen::Vector2d& position, double radius);
+  [[nodiscard]] std::optional<Refusal> take(double mass, const Eigen::Vector2d& position, double radius);
   /// Film above settings().exchange->thickness becomes particles again; nothing without an exchange.
   [[nodiscard]] std::vector<ReturnedOil> give_back();
   /// Oil of the particle phase that left the patch.
-  [[nodiscard]] std::optional<std::string> drop_submerged(double mass);
+  [[nodiscard]] std::optional<Refusal> drop_submerged(double mass);
 
   /// Places a boom or skimmer, or replaces the one of that name (a boom's leaking oil surfaces first; a skimmer keeps
   /// what it has recovered). Refused if find_fault(...) says so. A boom laid through oil parts it. How many there may
   /// be is the caller's to check (find_no_room of values/given_names.hpp).
-  [[nodiscard]] std::optional<std::string> set_boom(const std::string& name, const Boom& boom);
-  [[nodiscard]] std::optional<std::string> set_skimmer(const std::string& name, const Skimmer& skimmer);
+  [[nodiscard]] std::optional<Refusal> set_boom(const std::string& name, const Boom& boom);
+  [[nodiscard]] std::optional<Refusal> set_skimmer(const std::string& name, const Skimmer& skimmer);
   /// Nothing happens where there is none of that name.
   void remove_boom(const std::string& name);
   void remove_skimmer(const std::string& name);

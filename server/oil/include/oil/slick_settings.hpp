@@ -9,6 +9,7 @@
 
 #include "scales/scales.hpp"
 #include "values/oil.hpp"
+#include "values/refusal.hpp"
 
 namespace pelagos {
 
@@ -58,6 +59,6 @@ struct SlickSettings {
 };
 
 /// What is wrong with the settings, naming field, value and what is allowed; empty if nothing is.
-[[nodiscard]] std::optional<std::string> find_fault(const SlickSettings& settings);
+[[nodiscard]] std::optional<Refusal> find_fault(const SlickSettings& settings);
 
 }  // namespace pelagos

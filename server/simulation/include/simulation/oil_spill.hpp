@@ -13,9 +13,9 @@
 #include "simulation/bodies.hpp"
 #include "simulation/water_surface.hpp"
 #include "values/current.hpp"
-#include "values/misfit.hpp"
 #include "values/oil_budget.hpp"
 #include "values/patch_frame.hpp"
+#include "values/refusal.hpp"
 #include "values/scene.hpp"
 #include "values/slick.hpp"
 #include "values/spill.hpp"
@@ -87,14 +87,14 @@ class OilSpill {
   /// Counts the oil that the scene starts with. @param frame  of the patch
   OilSpill(const Scene& scene, const FluidState& fluid, const PatchFrame& frame, double water_level);
 
-  // Each returns why it is refused, or nothing. They fit the scene (find_misfit).
-  [[nodiscard]] std::optional<Misfit> apply(const ReleaseOil& command, const Bodies& hulls);
-  [[nodiscard]] std::optional<Misfit> apply(const StopRelease& command);
-  [[nodiscard]] std::optional<Misfit> apply(const SpillOil& command);
-  [[nodiscard]] std::optional<Misfit> apply(const SetBoom& command);
-  [[nodiscard]] std::optional<Misfit> apply(const RemoveBoom& command);
-  [[nodiscard]] std::optional<Misfit> apply(const SetSkimmer& command);
-  [[nodiscard]] std::optional<Misfit> apply(const RemoveSkimmer& command);
+  // Each returns why it is refused, or nothing. They fit the scene (find_refusal).
+  [[nodiscard]] std::optional<Refusal> apply(const ReleaseOil& command, const Bodies& hulls);
+  [[nodiscard]] std::optional<Refusal> apply(const StopRelease& command);
+  [[nodiscard]] std::optional<Refusal> apply(const SpillOil& command);
+  [[nodiscard]] std::optional<Refusal> apply(const SetBoom& command);
+  [[nodiscard]] std::optional<Refusal> apply(const RemoveBoom& command);
+  [[nodiscard]] std::optional<Refusal> apply(const SetSkimmer& command);
+  [[nodiscard]] std::optional<Refusal> apply(const RemoveSkimmer& command);
 
   /// One step after the water's: sources, film, exchange. Changes phases of particles only.
   void advance(double dt, const SpillSea& sea, FluidState& fluid);

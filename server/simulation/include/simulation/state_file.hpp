@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "simulation/world.hpp"
+#include "values/refusal.hpp"
 
 namespace pelagos {
 
@@ -41,6 +42,6 @@ struct StateOrigin {
 /// Puts the world into a saved state. A file that is cut off or changed, or of another version, instruction set or
 /// scene is refused, and then nothing has changed.
 /// @return why it is refused, with what is allowed; nothing where it was done
-[[nodiscard]] std::optional<std::string> load_state(std::span<const std::byte> file, World& world);
+[[nodiscard]] std::optional<Refusal> load_state(std::span<const std::byte> file, World& world);
 
 }  // namespace pelagos

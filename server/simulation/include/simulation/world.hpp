@@ -45,7 +45,7 @@ enum class StepFault {
 /// What became of a command: `done` is what took effect, with all that it left out, unless it was refused.
 struct CommandOutcome {
   Command done;
-  std::optional<Misfit> refusal;
+  std::optional<Refusal> refusal;
 };
 
 /// A step and whether it reached a frame. After a restored fault the report tells of the step that failed.
@@ -141,9 +141,9 @@ class World {
   friend struct WorldTestAccess;  // tests of faults put them into the water
   [[nodiscard]] double choose_step() const;
   [[nodiscard]] CommandOutcome apply(const Command& command);
-  [[nodiscard]] std::optional<Misfit> apply_valid(const Command& command);
-  [[nodiscard]] std::optional<Misfit> set_wind(const SetWind& command);
-  [[nodiscard]] std::optional<Misfit> set_waves(const SetWaves& command);
+  [[nodiscard]] std::optional<Refusal> apply_valid(const Command& command);
+  [[nodiscard]] std::optional<Refusal> set_wind(const SetWind& command);
+  [[nodiscard]] std::optional<Refusal> set_waves(const SetWaves& command);
   void set_current(const CurrentSettings& current, double ramp_seconds);
   void clear_current();
   void set_effort(const Effort& effort);
@@ -154,7 +154,7 @@ class World {
   void blow(double time, StepReport& report);
   void drive_current(double time, StepReport& report);
   [[nodiscard]] BodySea body_sea(double time) const;
-  [[nodiscard]] std::optional<Misfit> apply_to_oil(const OilCommand& command);
+  [[nodiscard]] std::optional<Refusal> apply_to_oil(const OilCommand& command);
   void advance_oil(double dt, double time, StepReport& report);
   void keep_recovery_point();
   void copy_what_inputs_change(WorldState& state) const;
