@@ -13,7 +13,7 @@ struct SkimmerStatus {
   std::string name;
   Milligrams recovered = 0;
   double present_rate = 0.0;  ///< m^3/h, of oil and emulsion
-  bool dry = false;           ///< on, and hardly anything to take
+  bool dry = false;           ///< on, and it finds hardly any oil
 };
 
 /// What keeps the oil of a source from flowing out.
