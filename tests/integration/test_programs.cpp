@@ -93,7 +93,7 @@ TEST_F(Server, AnswersCommandsAtOnceWhileItSettlesItsWater) {
   const TemporaryFolder folder;
   const std::string scene_file = (folder.path() / "slow_start.scene").string();
   std::ofstream(scene_file) << "particle_spacing: 0.1 patch { min { } max { x: 3 y: 3 z: 2 } }\n"
-                               "water { block { min { } max { x: 3 y: 3 z: 1 } } settle_steps: 1500 }\n";
+                               "water { block { min { } max { x: 3 y: 3 z: 1 } } settle_steps: 500 }\n";
   server_ = std::make_unique<RunningProgram>(server_arguments(scene_file, endpoint_));
   const auto end = std::chrono::steady_clock::now() + kPatience;
   while (ask({"pause"}) != 0) ASSERT_LT(std::chrono::steady_clock::now(), end) << server_->errors();

@@ -189,7 +189,12 @@ TEST(Holds, OfSceneryFillAsTheBlocksSay) {
 TEST(Holds, ThinPlatingIsTold) {
   const BoatFile thin(0.06);
   EXPECT_THAT(World(afloat(thin, -0.5), {1, nullptr, {}}).start_notes(),
-              Contains(HasSubstr("thinner than two spacings (0.25 m)")));
+              Contains(HasSubstr("is thinner than 1.1 spacings (0.138 m) and has one layer")));
+}
+
+TEST(Holds, PlatingOfTwoSpacingsIsNoReasonForANote) {
+  const BoatFile boat;  // as MeshPartRuns.AnOpenBoatThatJustFitsIsLoweredAndFloatsByHerWeight has it
+  EXPECT_THAT(World(afloat(boat, -0.5), {1, nullptr, {}}).start_notes(), testing::Not(Contains(HasSubstr("plating"))));
 }
 
 }  // namespace

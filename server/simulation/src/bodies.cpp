@@ -47,7 +47,9 @@ FreeBody::Freedom freedom_of(BodyDrive drive) {
 constexpr int kRelocations = 8;
 
 constexpr double kLeastHollow = 1e-3;  ///< share of a convex hull: what fills more of it has no hold
-constexpr double kThinPlates = 2.0;    ///< spacings
+/// Plates of 1.2 spacings or more have a layer of samples on each side (rigid/body_shape.hpp). The mean over a boat
+/// with such plates is 1.1 spacings or more, as edges count in it.
+constexpr double kThinPlates = 1.1;
 
 /// Whether a block of water lies in a hold altogether: the scene pours it there.
 bool lies_in(const Box& block, double spacing, const Hold& hold, const BodyState& state) {
@@ -271,9 +273,9 @@ std::vector<std::string> Bodies::hold_notes(double level) const {
     const double plating = 2.0 * body.shape.displacement / mesh_area(body.shape.mesh);
     if (plating < kThinPlates * spacing_)
       notes.back() += fmt::format(
-          ". Its plating, {:.2g} m thick in the mean, is thinner than two spacings ({:g} m): draft and trim are "
-          "coarse, and water may seep in",
-          plating, kThinPlates * spacing_);
+          ". Its plating, {:.2g} m thick in the mean, is thinner than {:g} spacings ({:.3g} m) and has one layer of "
+          "boundary samples instead of two: draft and trim are coarse, and water may seep in",
+          plating, kThinPlates, kThinPlates * spacing_);
   }
   return notes;
 }
