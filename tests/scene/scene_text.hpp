@@ -12,7 +12,7 @@ namespace pelagos::test {
 inline const std::string kValid =
     "name: \"small\"\n"                                                            // 1
     "particle_spacing: 0.1\n"                                                      // 2
-    "patch { min { x: 0 y: 0 z: 0 } max { x: 2 y: 2 z: 2 } }\n"                     // 3
+    "patch { min { x: 0 y: 0 z: 0 } max { x: 2 y: 2 z: 2 } }\n"                    // 3
     "water {\n"                                                                    // 4
     "  block { min { x: 0 y: 0 z: 0 } max { x: 1 y: 1 z: 1 } }  # 10 x 10 x 10\n"  // 5
     "}\n";                                                                         // 6

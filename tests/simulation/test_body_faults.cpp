@@ -5,8 +5,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "small_patch.hpp"
 #include "simulation/world.hpp"
+#include "small_patch.hpp"
 
 namespace pelagos {
 namespace {

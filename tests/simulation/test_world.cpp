@@ -11,9 +11,9 @@
 namespace pelagos {
 namespace {
 
-using test::small_patch;
-using test::patch_with_cube;
 using test::CubeFile;
+using test::patch_with_cube;
+using test::small_patch;
 
 WindSettings breeze() {
   WindSettings wind;
@@ -148,11 +148,11 @@ TEST(World, AJumpingBodyLosesNoWaterAndTrapsNone) {
 
 TEST(World, NoWindCostsNothingAndWindCarriesTheWater) {
   World calm(small_patch(), {1,
-                       [] {
-                         static std::int64_t tick = 0;
-                         return ++tick;
-                       },
-                       {}});
+                             [] {
+                               static std::int64_t tick = 0;
+                               return ++tick;
+                             },
+                             {}});
   EXPECT_EQ(calm.advance().report.times.ns[static_cast<std::size_t>(Stage::kWind)], 0);
   EXPECT_FALSE(calm.wind().has_value());
 

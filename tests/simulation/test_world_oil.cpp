@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "small_patch.hpp"
 #include "simulation/fluid_setup.hpp"
 #include "simulation/world.hpp"
+#include "small_patch.hpp"
 
 namespace pelagos {
 namespace {

@@ -2,16 +2,16 @@
 
 #include <gmock/gmock.h>
 
-#include "small_patch.hpp"
 #include "give.hpp"
 #include "simulation/world.hpp"
+#include "small_patch.hpp"
 
 namespace pelagos {
 namespace {
 
-using test::small_patch;
-using test::patch_with_cube;
 using test::CubeFile;
+using test::patch_with_cube;
+using test::small_patch;
 using testing::HasSubstr;
 
 class WorldSupport : public testing::TestWithParam<double> {};
@@ -49,7 +49,8 @@ TEST(WorldEffort, IsTheScenesUntilItIsSet) {
 
 TEST(WorldEffort, SameBitsForOneTwoAndSevenThreadsAndOnReplay) {
   // What a governor decided at which step, played again.
-  World one(small_patch(), {1, nullptr, {}}), two(small_patch(), {2, nullptr, {}}), seven(small_patch(), {7, nullptr, {}});
+  World one(small_patch(), {1, nullptr, {}}), two(small_patch(), {2, nullptr, {}}),
+      seven(small_patch(), {7, nullptr, {}});
   const Effort exact = one.effort();
   for (int step = 0; step < 40; ++step) {
     for (World* world : {&one, &two, &seven}) {

@@ -89,8 +89,8 @@ void refuse_many_wall_particles(const FieldReader& reader, const Box& patch, dou
     if (edges[axis] == PatchEdge::kWall) walls += 2.0 * sides.prod() / sides[static_cast<int>(axis)];
   if (!(walls > kMostWallParticles)) return;
   reader.child("patch").fault("", "needs about " + format_count(std::round(walls)) +
-                                     " wall particles at this spacing; allowed: " + format_count(kMostWallParticles) +
-                                     " (a larger particle_spacing or a smaller patch)");
+                                      " wall particles at this spacing; allowed: " + format_count(kMostWallParticles) +
+                                      " (a larger particle_spacing or a smaller patch)");
 }
 
 std::optional<Box> read_patch(const FieldReader& reader, const Basis& basis) {
