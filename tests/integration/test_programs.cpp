@@ -147,9 +147,8 @@ TEST_F(Server, TellsTheWindAtAMast) {
   ASSERT_EQ(ask({"wind-at", "--json", "0", "0", "10"}), 0);
   EXPECT_EQ(nlohmann::json::parse(answer_).at("place").at(0).at("speed"), 0.0) << "a calm";
   ASSERT_EQ(ask({"wind", "--speed", "12", "--from", "270", "--roughness", "0.001"}), 0);
-  // The water of this scene stands at 0.475 m: masts of 10 m and of 1 m, and a place under water.
-  const std::vector<std::string> query = {"wind-at", "--json", "0",  "0",   "10.475", "0",
-                                          "0",       "1.475",  "-7", "0.5", "0.2"};
+  // The water of this scene stands at 0.5 m: masts of 10 m and of 1 m, and a place under water.
+  const std::vector<std::string> query = {"wind-at", "--json", "0", "0", "10.5", "0", "0", "1.5", "-7", "0.5", "0.2"};
   nlohmann::json places;
   const auto end = std::chrono::steady_clock::now() + kPatience;
   do {  // until the command has taken effect at a step boundary

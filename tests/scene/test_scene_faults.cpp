@@ -277,7 +277,7 @@ TEST(SceneFile, NamesEverythingThatIsMissing) {
               ElementsAre("test.scene:1: particle_spacing: is missing; it is required",
                           "test.scene:1: patch: is missing; it is required",
                           "test.scene:1: water: is missing; it is required"));
-  EXPECT_THAT(read_scene_text("particle_spacing: 1\ntank { min { } }\n\nwater { }", "test.scene").faults,
+  EXPECT_THAT(read_scene_text("particle_spacing: 1\npatch { min { } }\n\nwater { }", "test.scene").faults,
               ElementsAre("test.scene:2: patch.max: is missing; it is required",
                           "test.scene:4: water.block: is missing; it is required"));
 }

@@ -73,8 +73,8 @@ TEST(SceneNumbers, NoneMayBeNanOrInfinite) {
 
 TEST(SceneNumbers, HexadecimalOnesAreRefusedByField) {
   const std::string report =
-      read_scene_text("particle_spacing: 0.1\ntank { min { x: -0X10 y: -3 } }\n", "a.scene").report();
-  EXPECT_THAT(report, HasSubstr("a.scene:2:18: patch.min.x: is 0X10 (hexadecimal); allowed: a decimal number"));
+      read_scene_text("particle_spacing: 0.1\npatch { min { x: -0X10 y: -3 } }\n", "a.scene").report();
+  EXPECT_THAT(report, HasSubstr("a.scene:2:19: patch.min.x: is 0X10 (hexadecimal); allowed: a decimal number"));
 }
 
 }  // namespace

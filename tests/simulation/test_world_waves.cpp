@@ -3,18 +3,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "small_patch.hpp"
 #include "fields/field_hash.hpp"
 #include "give.hpp"
 #include "same_run.hpp"
+#include "small_patch.hpp"
 #include "waves/wave_moment.hpp"
 
 namespace pelagos {
 
 namespace {
 
-using test::small_patch;
 using test::expect_same_run;
+using test::small_patch;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Optional;

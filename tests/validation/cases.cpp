@@ -30,6 +30,12 @@ const std::vector<Case>& all_cases() {
        "15 to "
        "27 % a period; hybrid, dfsph and pbf run with the viscosity that they need to stay calm.",
        run_travelling_wave},
+      {"solid_surfaces", "Solid surfaces: beds and bodies under water",
+       "A wave of 60 m runs over a bed, flat or a sine of 0.7 m and 20 m length, that is a mesh and not a mirror. "
+       "Bodies "
+       "are held under water.",
+       "Over the bed no loss: between mirrors the same wave loses 0.2 % a period. Force on bodies: Archimedes.",
+       run_solid_surfaces},
       {"dam_break_front", "Dam break: the front",
        "A column twice as high as wide runs along a frictionless floor. The front is the largest x of the water that "
        "hangs together, plus half a spacing.",

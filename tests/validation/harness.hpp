@@ -114,6 +114,7 @@ void run_travelling_wave(Session& session);
 void run_dam_break_front(Session& session);
 void run_dam_break_pressure(Session& session);
 void run_taylor_green(Session& session);
+void run_solid_surfaces(Session& session);
 void run_square_patch(Session& session);
 void run_paper_dam_break(Session& session);
 void run_wind(Session& session);

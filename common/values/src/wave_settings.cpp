@@ -62,8 +62,8 @@ std::optional<Refusal> find_wave_refusal(std::span<const WaveSettings> waves, do
   }
   if (const double steepness = std::sqrt(squares); steepness > kSteepest)
     return Refusal{"wave", fmt::format("the waves together have a steepness (root of the sum of (amplitude k)^2) of "
-                                      "{:.3g}; allowed: at most {:.3g}, that of one breaking wave",
-                                      steepness, kSteepest)};
+                                       "{:.3g}; allowed: at most {:.3g}, that of one breaking wave",
+                                       steepness, kSteepest)};
   if (const double height = significant_height(waves); height > kHighestSea)
     return Refusal{
         "wave", fmt::format("the waves together have a significant height of {:.3g} m; allowed: at most {:g} m", height,

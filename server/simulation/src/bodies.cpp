@@ -65,7 +65,6 @@ bool lies_in(const Box& block, double spacing, const Hold& hold, const BodyState
 constexpr double kLargerHull = 0.1;      ///< than the mesh: worth a note
 constexpr double kWaterClearance = 1.0;  ///< spacings of water at rest from a hull's samples
 
-constexpr double kFieldCell = 0.5;  ///< spacings between the nodes of a surface's distance field
 /// A surface is met by its distance field where at most so large a share of it is thinner than so many spacings: water
 /// on the two sides of a thinner plate would act through it.
 constexpr double kThinForFields = 1.5, kMostThin = 0.1;
@@ -154,7 +153,7 @@ void Bodies::add_surface(TaskPool& pool, const Scene& scene, double support_radi
   const bool fields = scene.solver.kind == SolverKind::kCorrected && body.shape.faults.empty() &&
                       !body.settings.sample_inset && thin_share(body.shape, kThinForFields * spacing_) < kMostThin;
   if (fields) {
-    FieldExtent extent{kFieldCell * spacing_, support_radius, {}};
+    FieldExtent extent{spacing_, support_radius, {}};
     extent.within = body.moves() ? everywhere() : tank_around(scene, body.state, support_radius);
     body.fields = make_distance_fields(pool, body.shape, extent);
   }

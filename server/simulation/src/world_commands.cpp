@@ -134,8 +134,8 @@ std::optional<Refusal> World::set_wind(const SetWind& command) {
 std::optional<Refusal> World::set_waves(const SetWaves& command) {
   if (sea_.exchange(wave_components(command.waves, around_.gravity), clock_.time(), command.blend_seconds)) return {};
   return Refusal{"", fmt::format("{} exchanges of the waves still run; allowed: at most so many, and another one from "
-                                "{:g} s on",
-                                WaveField::kMostLayers - 1, sea_.open_from())};
+                                 "{:g} s on",
+                                 WaveField::kMostLayers - 1, sea_.open_from())};
 }
 
 std::optional<WindSettings> World::wind() const {

@@ -21,7 +21,8 @@ struct CommandSurroundings {
 
 [[nodiscard]] CommandSurroundings command_surroundings(const Scene& scene);
 
-/// @return what the scene alone tells against the command: places outside the patch, bodies that are not there, oil that
+/// @return what the scene alone tells against the command: places outside the patch, bodies that are not there, oil
+/// that
 ///         the scene has not, waves that would break; nothing if it fits. The world may still refuse it for its present
 ///         state.
 [[nodiscard]] std::optional<Refusal> find_refusal(const Command& command, const CommandSurroundings& around);

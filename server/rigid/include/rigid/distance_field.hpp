@@ -15,9 +15,11 @@ namespace pelagos {
 
 /// Where distance fields are wanted.
 struct FieldExtent {
-  double cell = 0.0;           ///< m, between nodes, > 0
+  double spacing = 0.0;        ///< m, of particles, > 0; nodes are half as far apart
   double reach = 0.0;          ///< m, from the surface; distances farther away are not told apart
   Eigen::AlignedBox3d within;  ///< m, body axes: nodes outside are left out
+
+  [[nodiscard]] double cell() const { return 0.5 * spacing; }
 };
 
 /// The distance fields of a body's surface: one for each of its smooth_patches. Empty if they would have more than
