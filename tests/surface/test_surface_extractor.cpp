@@ -105,6 +105,32 @@ TEST(SurfaceExtractor, TakesTheTopOfASlabAndNothingAtWallsAndFloor) {
   EXPECT_EQ(with_halo.counts.halo, 144u);
 }
 
+TEST(SurfaceExtractor, TakesNothingAtTheSurfaceOfASolid) {
+  // Water over a bed that has a distance field and no samples: half a spacing above it.
+  const World world(make_block(8, 6));
+  SolidPlanes bed;
+  const std::size_t padded = padded_count(world.fluid.count);
+  for (std::vector<Float4>& planes : bed.plane) planes.assign(padded, Float4{0, 0, 0, -SolidPlanes::kNone});
+  for (std::size_t i = 0; i < world.fluid.count; ++i) bed.plane[1][i] = {0, 0, 1, 0.5f * kSpacing};
+  bed.group.assign(padded / kLanes, 2);
+  SurfaceInput input = world.input();
+  TaskPool pool(2);
+  SurfaceExtractor extractor({}, kScales);
+  const auto in_the_middle_of_the_bottom = [&] {
+    extractor.detect(input, pool);
+    std::size_t count = 0;
+    for (const std::uint32_t i : extractor.indices()) {
+      const Float4& p = world.fluid.position[i];
+      if (p.z < 1.5f * kSpacing && p.x > 0.25f && p.x < 0.65f && p.y > 0.25f && p.y < 0.65f) ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(in_the_middle_of_the_bottom(), 16u) << "without the bed it is a surface";
+  input.solids = &bed;
+  EXPECT_EQ(in_the_middle_of_the_bottom(), 0u);
+  EXPECT_GT(extractor.counts().surface, 60u) << "the top is still one";
+}
+
 TEST(SurfaceExtractor, DisorderedWaterKeepsItsSurfaceToo) {
   const World world(make_block(12, 8, 0.2f), make_tank(12, 10));
   const Result result = extract(world);

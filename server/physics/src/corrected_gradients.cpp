@@ -115,7 +115,7 @@ void corrected_gradient_groups(const PairData& data, std::size_t first_group, st
         const Symmetric own = symmetric(load_records(first + i), load_records(second + i));
         const Vec4 plain_wall = load_records(wall + i);
         Vec3 samples{plain_wall.x, plain_wall.y, plain_wall.z}, solids = zero3();
-        GradientSums sums;
+        GradientSums sums{zero3(), hn::Zero(d)};
         if constexpr (kUsed == 0U) {
           sums = correct_kept(data, arrays, own, group, lane);
         } else {

@@ -93,7 +93,7 @@ HWY_INLINE void add_fluid(const PairData& data, const KernelScales& scales, std:
                           SolidWalls& walls) {
   auto *cache = static_cast<CachedGradient*>(out.cache_words), *others = static_cast<CachedGradient*>(out.other_words);
   const FloatV inverse_spacing = hn::Set(FloatTag(), 1.0F / data.spacing);
-  Mirrors mirrors;
+  Mirrors mirrors = no_mirrors();
   if constexpr (kUsed != 0U) mirrors = own_mirrors<kUsed>(data, i, {own.x, own.y, own.z});
   const NeighborList::SlotRange fluid = data.fluid->groups[group];
   for (std::uint32_t s = fluid.begin; s < fluid.end; ++s) {

@@ -31,7 +31,7 @@ struct SurfaceDrifts {
 template <unsigned kUsed>
 HWY_INLINE SurfaceDrifts surface_drifts(const PairData& data, const Mirrors& own, std::size_t i) {
   const FloatTag d;
-  SurfaceDrifts drifts;
+  SurfaceDrifts drifts{{zero3(), zero3()}};
   for (std::size_t k = 0; k < SolidPlanes::kSlots; ++k) {
     if (!(kUsed >> k & 1U)) continue;
     const FloatV speed = hn::LoadU(d, data.solids->speed[k].data() + i);
@@ -103,7 +103,7 @@ void velocity_gradient_groups(const PairData& data, std::size_t first_group, std
       for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
         const Vec4 v = load_records(velocity + i);
         const Vec3 own{v.x, v.y, v.z};
-        GradientRows rows;
+        GradientRows rows{zero3(), zero3(), zero3()};
         if constexpr (kUsed == 0U)
           rows = kept_rows(data, cache, velocity, group, lane, own);
         else
@@ -167,8 +167,8 @@ HWY_INLINE void filter_part(const PairData& data, const KernelScales& scales, st
   if constexpr (kPhases)  // rho0_lighter / rho0_i
     between = choose_phase(is_light(place.w), 1.0F, data.phases->heavy_mobility / data.phases->light_mobility);
   SolidWalls solids = no_solid_walls();
-  Mirrors mirrors;
-  SurfaceDrifts drifts;
+  Mirrors mirrors = no_mirrors();
+  SurfaceDrifts drifts{{zero3(), zero3()}};
   if constexpr (kUsed != 0U) {
     mirrors = own_mirrors<kUsed>(data, i, {place.x, place.y, place.z});
     drifts = surface_drifts<kUsed>(data, mirrors, i);

@@ -44,6 +44,12 @@ struct Mirrors {
   Vec4 blend;
 };
 
+/// To be filled: vectors have no default value on every machine.
+HWY_INLINE Mirrors no_mirrors() {
+  const FloatV zero = hn::Zero(FloatTag());
+  return {{zero3(), zero3()}, {zero, zero}, {zero, zero, zero, zero}};
+}
+
 HWY_INLINE void set_mirror(const Vec4& plane, const Vec3& x, FloatV least, std::size_t slot, Mirrors& mirrors) {
   const FloatTag d;
   mirrors.normal[slot] = {plane.x, plane.y, plane.z};
@@ -51,7 +57,7 @@ HWY_INLINE void set_mirror(const Vec4& plane, const Vec3& x, FloatV least, std::
 }
 template <unsigned kUsed>
 HWY_INLINE Mirrors own_mirrors(const PairData& data, std::size_t i, const Vec3& x) {
-  Mirrors mirrors;
+  Mirrors mirrors = no_mirrors();
   const FloatV least = hn::Set(FloatTag(), kLeastDistance * data.spacing);
   for (std::size_t slot = 0; slot < SolidPlanes::kSlots; ++slot)
     if (kUsed >> slot & 1U) set_mirror(load_records(data.solids->plane[slot].data() + i), x, least, slot, mirrors);
@@ -60,7 +66,7 @@ HWY_INLINE Mirrors own_mirrors(const PairData& data, std::size_t i, const Vec3& 
 }
 template <unsigned kUsed>
 HWY_INLINE Mirrors other_mirrors(const PairData& data, const std::int32_t* index, const Vec3& x) {
-  Mirrors mirrors;
+  Mirrors mirrors = no_mirrors();
   const FloatV least = hn::Set(FloatTag(), kLeastDistance * data.spacing);
   for (std::size_t slot = 0; slot < SolidPlanes::kSlots; ++slot)
     if (kUsed >> slot & 1U) set_mirror(gather_records(data.solids->plane[slot].data(), index), x, least, slot, mirrors);

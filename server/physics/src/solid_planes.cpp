@@ -14,6 +14,9 @@ namespace {
 constexpr Float4 kNoPlane{0.0F, 0.0F, 0.0F, -SolidPlanes::kNone};
 /// Particles whose box is held against those of the solids at once: a few rows of cells.
 constexpr std::size_t kPlaneBlock = 256;
+/// Support radii from a surface within which particles have its plane. No particle of the water stands nearer to it
+/// than the rest of the support, so no image pair is lost.
+constexpr float kReach = 0.9F;
 constexpr Float4 kNoBlend{1.0F, 1.0F, 0.0F, 1.0F};
 /// Normals of two surfaces: less parallel than this they are square to each other, more than the second value the
 /// correction has ended.
@@ -80,9 +83,12 @@ class SolidScene {
 };
 
 Eigen::AlignedBox3f box_around(std::span<const Float4> positions) {
-  Eigen::AlignedBox3f box;
-  for (const Float4& p : positions) box.extend(vector_of(p));
-  return box;
+  Float4 low = positions[0], high = low;
+  for (const Float4& p : positions) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z), 0.0F};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z), 0.0F};
+  }
+  return {vector_of(low), vector_of(high)};
 }
 
 void clear_planes(std::size_t begin, std::size_t end, SolidPlanes& planes) {
@@ -97,18 +103,28 @@ void clear_planes(std::size_t begin, std::size_t end, SolidPlanes& planes) {
   fill(planes.blend, kNoBlend);
 }
 
-void resize_planes(const FluidState& state, SolidPlanes& planes) {
-  const std::size_t padded = padded_count(state.particles.count);
-  const std::size_t gathered = extended_count(state.particles.count, state.ghosts);
-  for (std::size_t slot = 0; slot < SolidPlanes::kSlots; ++slot) {
-    planes.plane[slot].resize(gathered, kNoPlane);
-    planes.solid[slot].resize(padded, -1);
-    planes.speed[slot].resize(padded, 0.0F);
-    for (std::size_t i = state.particles.count; i < padded; ++i) planes.speed[slot][i] = 0.0F;
+/// Forgets the planes of the last step: of the groups that had some, where the number of groups is the same.
+void forget_planes(std::size_t count, SolidPlanes& planes) {
+  const std::size_t padded = padded_count(count);
+  if (planes.group.size() != padded / kLanes) {
+    for (std::size_t slot = 0; slot < SolidPlanes::kSlots; ++slot) {
+      planes.plane[slot].assign(padded, kNoPlane);
+      planes.solid[slot].assign(padded, -1);
+      planes.speed[slot].assign(padded, 0.0F);
+    }
+    planes.blend.assign(padded, kNoBlend);
+  } else {
+    for (std::size_t group = 0; group < planes.group.size(); ++group)
+      if (planes.group[group] != 0) clear_planes(group * kLanes, (group + 1) * kLanes, planes);
   }
+  planes.group.assign(padded / kLanes, 0);
+}
+
+void resize_planes(const FluidState& state, SolidPlanes& planes) {
+  const std::size_t gathered = extended_count(state.particles.count, state.ghosts);
+  for (std::size_t slot = 0; slot < SolidPlanes::kSlots; ++slot) planes.plane[slot].resize(gathered, kNoPlane);
   planes.blend.resize(gathered, kNoBlend);
   planes.position.resize(gathered, kFarRecord);
-  planes.group.assign(padded / kLanes, 0);
 }
 
 float smooth_step(float t) {
@@ -134,7 +150,6 @@ float distance(const Float4& plane, const Float4& x) { return plane.x * x.x + pl
 
 void find_planes_in(std::size_t begin, std::size_t end, const SolidScene& scene, const FluidState& state,
                     SolidPlanes& planes) {
-  clear_planes(begin, end, planes);
   const std::span<const Float4> positions(state.particles.position);
   std::copy(positions.begin() + static_cast<std::ptrdiff_t>(begin),
             positions.begin() + static_cast<std::ptrdiff_t>(end),
@@ -151,7 +166,7 @@ void find_planes_in(std::size_t begin, std::size_t end, const SolidScene& scene,
     }
   });
   for (std::size_t i = begin; i < end; ++i) {
-    if (planes.solid[0][i] < 0 || planes.solid[1][i] < 0) continue;
+    if (planes.group[i / kLanes] != 3 || planes.solid[0][i] < 0 || planes.solid[1][i] < 0) continue;
     const Float4 &a = planes.plane[0][i], &b = planes.plane[1][i];
     planes.blend[i] = blend_of(a.x * b.x + a.y * b.y + a.z * b.z, distance(a, positions[i]), distance(b, positions[i]));
   }
@@ -226,11 +241,11 @@ void take_pushes(const std::vector<BodyPush>& pushes, std::vector<CoupledBody>& 
 void find_solid_planes(TaskPool& pool, FluidState& state) {
   if (state.solids.empty()) return;
   SolidPlanes& planes = state.solid_planes;
+  forget_planes(state.particles.count, planes);
   resize_planes(state, planes);
-  const SolidScene scene(state, static_cast<float>(state.parameters.support_radius));
+  const SolidScene scene(state, kReach * static_cast<float>(state.parameters.support_radius));
   pool.for_each_range(state.particles.count, kPlaneBlock,
                       [&](std::size_t begin, std::size_t end) { find_planes_in(begin, end, scene, state, planes); });
-  clear_planes(state.particles.count, padded_count(state.particles.count), planes);
   for (std::size_t i = state.particles.count; i < padded_count(state.particles.count); ++i)
     planes.position[i] = kFarRecord;
   if (!state.ghosts.empty()) extend_planes(pool, state, planes);

@@ -49,7 +49,14 @@ WaveField make_sea(const Scene& scene, double gravity, double water_level) {
 }
 
 SurfaceInput surface_input(const FluidState& fluid, double time) {
-  return {fluid.particles, fluid.walls, fluid.fluid_list, fluid.wall_list, Eigen::Vector3d::Zero(), time};
+  const bool solids = !fluid.solids.empty() && fluid.solid_planes.group.size() >= fluid.fluid_list.groups.size();
+  return {fluid.particles,
+          fluid.walls,
+          fluid.fluid_list,
+          fluid.wall_list,
+          Eigen::Vector3d::Zero(),
+          time,
+          solids ? &fluid.solid_planes : nullptr};
 }
 
 SurfaceScales surface_scales(const FluidParameters& parameters) {

@@ -52,6 +52,27 @@ float closing_speed(const ParticleSums& sums) {
   return sums.closing_weight > 0.0f ? sums.closing / sums.closing_weight : 0.0f;
 }
 
+/// Where the neighbours of a particle lie, and how many they are.
+struct Surroundings {
+  Eigen::Vector3f sum;  ///< m, of their weighted ways from the particle
+  float count;
+};
+
+/// The same with the room behind the surfaces of solids full of neighbours: a sum that points away from a surface is
+/// due to it, and the count grows by the share of the support ball that is cut off.
+Surroundings fill_solids(Surroundings around, const SolidPlanes& solids, std::size_t i, const Float4& x,
+                         float support_radius) {
+  for (const std::vector<Float4>& planes : solids.plane) {
+    const Eigen::Vector3f normal = vector_of(planes[i]);
+    if (normal.isZero(0.0f)) continue;
+    around.sum -= std::max(0.0f, normal.dot(around.sum)) * normal;
+    const float q = std::clamp((normal.dot(vector_of(x)) - planes[i].w) / support_radius, 0.0f, 1.0f);
+    const float cut_off = 0.25f * (1.0f - q) * (1.0f - q) * (2.0f + q);  // of a ball, beyond a plane
+    around.count /= 1.0f - cut_off;
+  }
+  return around;
+}
+
 }  // namespace
 
 SurfaceExtractor::SurfaceExtractor(const SurfaceSettings& settings, const SurfaceScales& scales)
@@ -77,11 +98,13 @@ void SurfaceExtractor::detect(const SurfaceInput& input, TaskPool& pool) {
       const std::size_t lanes = std::min(kLanes, fluid.count - group * kLanes);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         const std::size_t i = group * kLanes + lane;
-        const float x = sums.x[lane], y = sums.y[lane], z = sums.z[lane];
+        Surroundings around{{sums.x[lane], sums.y[lane], sums.z[lane]}, smooth_neighbor_count(sums.weight[lane])};
+        if (input.solids && input.solids->group[group] != 0)
+          around = fill_solids(around, *input.solids, i, query[lane], support_radius);
         const float bound = threshold * sums.weight[lane];  // |sum / weight| > threshold without the division
         if (!is_finite(query[lane]) || !is_finite(fluid.velocity[i]))
           mark_[i] = kNotFinite;
-        else if (x * x + y * y + z * z > bound * bound || smooth_neighbor_count(sums.weight[lane]) < kFewNeighbors)
+        else if (around.sum.squaredNorm() > bound * bound || around.count < kFewNeighbors)
           mark_[i] = kSurface;
       }
     }

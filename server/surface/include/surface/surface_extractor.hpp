@@ -8,6 +8,7 @@
 #include "packing/surface_particle.hpp"
 #include "physics/neighbors.hpp"
 #include "physics/particles.hpp"
+#include "physics/solids.hpp"
 #include "physics/task_pool.hpp"
 #include "scales/scales.hpp"
 #include "surface/anisotropy.hpp"
@@ -24,6 +25,7 @@ struct SurfaceInput {
   const NeighborList& boundary_neighbors;            ///< boundary samples around fluid particles; may be empty
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, that positions of the result are relative to
   double time = 0.0;                                 ///< s, simulation time; for the decay of foam
+  const SolidPlanes* solids = nullptr;               ///< of that step; null without
 };
 
 /// Scales that do not change during a run.
@@ -64,9 +66,10 @@ class SurfaceExtractor {
 
   /// First stage: which particles travel. A particle is taken where |mean neighbour position - position| / support
   /// radius exceeds the threshold (Yu & Turk's weights, paper eq. 44 and 45, boundary samples counted as neighbours, so
-  /// that layers at walls, floor and hulls are not taken), or where it lies within `halo` spacings of one that is.
-  /// All oil is taken, at any depth: there is little of it, and it is seen through the water.
-  /// Drops, threads and sheets one particle thin, whose neighbours may surround them evenly, are taken by their number.
+  /// that layers at walls, floor and hulls are not taken; what lies behind a solid's surface counts as full), or where
+  /// it lies within `halo` spacings of one that is. All oil is taken, at any depth: there is little of it, and it is
+  /// seen through the water. Drops, threads and sheets one particle thin, whose neighbours may surround them evenly,
+  /// are taken by their number.
   void detect(const SurfaceInput& input, TaskPool& pool);
 
   /// Second stage: ellipsoid, velocity, foam and spray of the particles found by detect(), which must have been called
