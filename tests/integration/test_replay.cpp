@@ -136,11 +136,12 @@ class ReplayOfASession : public ::testing::Test {
   static std::string path(const std::string& name) { return (folder_->path() / name).string(); }
   static nlohmann::json report(const std::string& name) { return nlohmann::json::parse(read_text(path(name))); }
   /// @return what the server said
-  static std::string replay(const std::string& log, const std::string& report_name, const std::string& threads = "1") {
+  static std::string replay(const std::string& log, const std::string& report_name, const std::string& threads = "1",
+                            int status = 0) {
     RunningProgram run(
         server(path("session.scene"), {"--control", "127.0.0.1:0", "--unpaced", "--replay", log, "--report",
                                        path(report_name), "--threads", threads, "--duration", "60"}));
-    EXPECT_EQ(run.wait(kPatience), 0) << run.errors();
+    EXPECT_EQ(run.wait(kPatience), status) << run.errors();
     return run.errors();
   }
 
@@ -171,8 +172,18 @@ TEST_F(ReplayOfASession, OfALogThatWasCutOffGoesUpToThere) {
   std::ofstream(path("cut.log")) << log.substr(0, middle);
   const std::string said = replay(path("cut.log"), "cut.json");
   EXPECT_THAT(said, HasSubstr("its last, is cut off after 40 bytes and left out"));
-  EXPECT_THAT(said, HasSubstr("the logged run was cut off"));
+  EXPECT_THAT(said, HasSubstr("the log has no end"));
+  EXPECT_THAT(said, HasSubstr("replay: the log ends here"));
   EXPECT_THAT(said, Not(HasSubstr("that of the logged run")));
+}
+
+TEST_F(ReplayOfASession, ComparesTheStart) {
+  std::string log = read_text(path("run.log"));
+  const std::size_t hash = log.find("world_hash: \"") + 13;
+  log[hash] = log[hash] == '0' ? '1' : '0';
+  std::ofstream(path("start.log")) << log;
+  EXPECT_THAT(replay(path("start.log"), "start.json", "1", 4),
+              HasSubstr("the first that differs is that after 0 steps"));
 }
 
 /// The log would not help if it said the same of any run.
@@ -182,8 +193,9 @@ TEST_F(ReplayOfASession, TellsWhereAnotherRunDiffers) {
   ASSERT_NE(rate, std::string::npos);
   log.replace(rate, 9, "rate: 901");
   std::ofstream(path("other.log")) << log;
-  const std::string said = replay(path("other.log"), "other.json");
+  const std::string said = replay(path("other.log"), "other.json", "1", 4);
   EXPECT_THAT(said, HasSubstr("the first that differs is that after"));
+  EXPECT_EQ(report("other.json").at("replay"), "other bits");
 }
 
 }  // namespace

@@ -186,6 +186,10 @@ TEST(SceneText, CommandLogsAreReadAlike) {
   EXPECT_THAT(read_command_log_text("scene: \"a\" seed: 1 particles: 1\ncommand { before_step: −1 }\n", "a.log").faults,
               ElementsAre(AllOf(StartsWith("a.log:2:24: before_step: "), HasSubstr("minus sign"))));
   const std::string whole = "scene: \"a\" seed: 1 particles: 1\ncommand { before_step: 1 clear_wind { } }\n";
+  EXPECT_THAT(read_command_log_text(whole + "end { step: 0 state_hash: \"00000000000000aa\" }\n", "a.log").faults,
+              ElementsAre(AllOf(HasSubstr("command: stands at step 1, after the end"), HasSubstr("up to step 0"))));
+  EXPECT_THAT(read_command_log_text("# a log\nversion: \"1\" scene: \"a", "a.log").faults.back(),
+              HasSubstr("line 2 of the log, its last, is cut off"));
   for (const char* cut :
        {"c", "command", "command {", "command { before_step: 1 clear_w", "end { step: 3 state_hash: \"1"}) {
     const CommandLogResult result = read_command_log_text(whole + cut, "a.log");

@@ -31,8 +31,9 @@ void Announcer::log(const Event& event) {
   const bool fault = event.kind == "refused" || event.kind == "pose_refused";
   const auto write = [fault](std::string_view line) { fault ? log_warning(line) : log_info(line); };
   const auto entry = logs_.try_emplace(event.kind, write, kEventLines).first;
-  entry->second.write(fmt::format("event {} at step {}, t {:.3f} s, by {}: {}", event.sequence, event.step,
-                                  event.simulation_time, event.source, event.text));
+  entry->second.write(fmt::format("event {} at step {}, t {:.3f} s, by {}: {}{}", event.sequence, event.step,
+                                  event.simulation_time, event.source, event.kind == "refused" ? "refused: " : "",
+                                  event.text));
 }
 
 }  // namespace pelagos

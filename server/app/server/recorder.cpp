@@ -31,6 +31,7 @@ Recorder::Recorder(const std::string& file, const CommandLogHeader& header) {
 void Recorder::record(const World& world, const StepInputs& inputs, const std::vector<bool>& done,
                       Announcer& announcer) {
   if (!log_ || inputs.empty()) return;
+  changed_ = world.step();
   for (const GivenPose& given : inputs.poses) log_->write({world.step(), given});
   for (std::size_t k = 0; k < inputs.commands.size(); ++k)
     if (done[k]) log_->write({world.step(), world.time(), inputs.commands[k].source, inputs.commands[k].command});
@@ -40,11 +41,15 @@ void Recorder::record(const World& world, const StepInputs& inputs, const std::v
 void Recorder::check(const World& world) {
   if (!log_ || world.time() < next_check_) return;
   next_check_ = std::floor(world.time()) + 1.0;
+  checked_ = world.step();
   log_->write(CommandLogCheck{world.step(), world.time(), hash_fields(world.state())});
 }
 
 void Recorder::end(const World& world) {
   if (!log_) return;
+  // Inputs of a run that ended while it was paused have changed the state without a step: a replay does not get there.
+  if (checked_ != world.step() && changed_ != world.step())
+    log_->write(CommandLogCheck{world.step(), world.time(), hash_fields(world.state())});
   log_->write(CommandLogEnd{world.step(), state_hash(world.fluid().particles)});
   const CommandLogState log = log_->state();
   if (!log.fault.empty())

@@ -37,8 +37,9 @@ class Recorder {
 
   std::optional<CommandLogWriter> log_;
   bool fault_told_ = false;
-  double next_check_ = 0.0;         ///< s, simulated
-  std::int64_t next_flush_ns_ = 0;  ///< wall clock
+  double next_check_ = 0.0;                         ///< s, simulated
+  std::optional<std::uint64_t> checked_, changed_;  ///< steps made at the last check, at the last inputs
+  std::int64_t next_flush_ns_ = 0;                  ///< wall clock
 };
 
 }  // namespace pelagos

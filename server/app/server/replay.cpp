@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "run_clock.hpp"
 
 namespace pelagos {
@@ -31,6 +33,15 @@ void Replay::take(std::uint64_t step, StepInputs& inputs) {
   }
 }
 
+std::uint64_t Replay::last_step() const {
+  if (log_.end) return log_.end->step;
+  std::uint64_t last = 0;
+  if (!log_.commands.empty()) last = std::max(last, log_.commands.back().before_step);
+  if (!log_.poses.empty()) last = std::max(last, log_.poses.back().before_step);
+  if (!log_.checks.empty()) last = std::max(last, log_.checks.back().step);
+  return last;
+}
+
 bool Replay::check_due(std::uint64_t step) {
   while (next_check_ < log_.checks.size() && log_.checks[next_check_].step < step) ++next_check_;
   return next_check_ < log_.checks.size() && log_.checks[next_check_].step == step;
@@ -49,9 +60,9 @@ std::string Replay::check(std::uint64_t step, std::uint64_t world_hash) {
 std::string Replay::checks_text() const {
   if (checks_made_ == 0) return "no state of the logged run was there to compare with";
   if (first_difference_)
-    return fmt::format("of {} states compared, the first that differs is that after {} steps", checks_made_,
+    return fmt::format("of {} whole states compared, the first that differs is that after {} steps", checks_made_,
                        *first_difference_);
-  return fmt::format("{} states compared, the same bits", checks_made_);
+  return fmt::format("{} whole states compared, the same bits", checks_made_);
 }
 
 }  // namespace pelagos

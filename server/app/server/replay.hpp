@@ -31,11 +31,15 @@ class Replay {
   /// What the checks have found so far, for people.
   [[nodiscard]] std::string checks_text() const;
 
-  /// Whether the logged run had ended after so many steps. Never for a log that was cut off.
-  [[nodiscard]] bool ended(std::uint64_t step) const { return log_.end && step >= log_.end->step; }
+  /// Whether the log has nothing more after so many steps: the logged run had ended, or was cut off.
+  [[nodiscard]] bool ended(std::uint64_t step) const { return step >= last_step(); }
+  /// Whether a state differed from that of the logged run.
+  [[nodiscard]] bool differs() const { return first_difference_.has_value(); }
   [[nodiscard]] const CommandLog& log() const { return log_; }
 
  private:
+  [[nodiscard]] std::uint64_t last_step() const;
+
   CommandLog log_;
   std::size_t next_command_ = 0, next_pose_ = 0, next_check_ = 0;
   std::uint64_t checks_made_ = 0;

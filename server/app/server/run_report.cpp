@@ -85,6 +85,7 @@ std::string write_run_report(const std::string& file, const ServerSummary& s) {
   json["version"] = kVersion;
   json["scene"] = s.status.scene;
   json["end"] = describe(s.end);
+  if (s.end == ServerEnd::kReplayEnded) json["replay"] = s.replay_differs ? "other bits" : "the same bits";
   json["particles"] = s.status.particles;
   json["boundary_particles"] = s.status.boundary_particles;
   json["hull_samples"] = s.hull_samples;

@@ -90,9 +90,11 @@ void Server::open_world() {
   status_.start_notes = world_->start_notes();
   board_.put_up(status_, std::nullopt);
   log_info(
-      fmt::format("scene {}: {} particles of {:g} m, {} boundary samples ({} on bodies), {} threads; DDS domain {}",
+      fmt::format("scene {}: {} particles of {:g} m, {} distance fields of bodies, {} boundary samples ({} on bodies), "
+                  "threads: {}; "
+                  "DDS domain {}",
                   options_.scene.name, world_->fluid().particles.count, options_.scene.particle_spacing,
-                  world_->fluid().static_walls + world_->bodies().moving_sample_count(),
+                  world_->fluid().solids.size(), world_->fluid().static_walls + world_->bodies().moving_sample_count(),
                   world_->bodies().sample_count(), options_.threads, options_.domain));
   publisher_->publish_scene_info(world_->describe());
   gate_.open(participant_, [](std::string_view line) { log_warning(line); });
@@ -111,7 +113,8 @@ void Server::open_records() {
                     "bridges' poses do not act",
                     log.commands.size(), log.poses.size()));
     if (!log.cut_off.empty()) log_warning("replay: " + log.cut_off);
-    if (!log.end) log_warning("replay: the logged run was cut off; this one goes on until it is stopped");
+    if (!log.end)
+      log_warning("replay: the log has no end, as of a run that was killed; this one ends where the log does");
   }
   recorder_.emplace(options_.command_log, header);
 }
@@ -122,7 +125,7 @@ ServerSummary Server::run() {
   ServerSummary summary;
   summary.end = loop.run(stop_);
   gate_.close();
-  if (summary.end == ServerEnd::kReplayEnded) tell_replay_end();
+  if (summary.end == ServerEnd::kReplayEnded) summary.replay_differs = !tell_replay_end();
   if (const std::size_t waiting = gate_.scheduled_count(); waiting > 0)
     log_info(fmt::format("{} commands were not due before the end", waiting));
   recorder_->end(*world_);
@@ -143,13 +146,18 @@ ServerSummary Server::run() {
   return summary;
 }
 
-void Server::tell_replay_end() const {
+bool Server::tell_replay_end() const {
   const Replay& replay = *gate_.replay();
-  const std::uint64_t now = state_hash(world_->fluid().particles), then = replay.log().end->state_hash;
-  const std::string what =
-      fmt::format("replay: {} steps, state {:016x}, that of the logged run {:016x}: {}; {}", world_->step(), now, then,
-                  now == then ? "the same bits" : "not the same bits", replay.checks_text());
-  now == then ? log_info(what) : log_warning(what);
+  std::string what = fmt::format("replay: the log ends here, after {} steps; {}", world_->step(), replay.checks_text());
+  bool same = !replay.differs();
+  if (const auto& end = replay.log().end) {
+    const std::uint64_t now = state_hash(world_->fluid().particles);
+    same = same && now == end->state_hash;
+    what += fmt::format("; the water at the end {:016x}, that of the logged run {:016x}: {}", now, end->state_hash,
+                        now == end->state_hash ? "the same bits" : "not the same bits");
+  }
+  same ? log_info(what) : log_warning(what);
+  return same;
 }
 
 }  // namespace pelagos

@@ -45,6 +45,7 @@ struct ServerSummary {
   ControlStatistics control;
   std::uint64_t effort_changes = 0;  ///< that the governor made
   double frame_budget = 0.0;         ///< s; 0 without a governor
+  bool replay_differs = false;       ///< from the logged run
   std::size_t hull_samples = 0;
   int threads = 1;
   std::uint64_t state_hash = 0;  ///< of the water at the end, see physics/fluid.hpp
@@ -72,7 +73,8 @@ class Server {
   void open_links();
   void open_world();
   void open_records();
-  void tell_replay_end() const;
+  /// Says how the replay ended. @return whether all that was compared had the same bits
+  [[nodiscard]] bool tell_replay_end() const;
 
   // server_doors.cpp
   [[nodiscard]] std::vector<OpenLink> find_open_links(const DdsParticipant& participant, const DdsSettings& dds) const;

@@ -60,7 +60,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
   app.add_option("--report", arguments.report_file, "Write what the run reached there, as JSON, at the end");
   app.add_option("--command-log", options.command_log,
-                 "Write every command there, with the step before which it was applied; see --replay");
+                 "Write every input there (commands, poses, requests for probes), with the step before which it was "
+                 "applied; see --replay");
   app.add_option("--replay", arguments.replay_file,
                  "Repeat the run of this command log: its commands at its steps, to its end; gives the same bits");
   app.add_option("--log-level", arguments.log_level, "Least level to log")
@@ -123,7 +124,8 @@ int serve(const Arguments& arguments) {
     }
   }
   if (summary.log_failed) return 1;
-  return summary.end == ServerEnd::kNumericalFault ? 3 : 0;
+  if (summary.end == ServerEnd::kNumericalFault) return 3;
+  return summary.replay_differs ? 4 : 0;
 }
 
 }  // namespace

@@ -49,6 +49,7 @@ ServerEnd SimulationLoop::run(const std::atomic<bool>& stop) {
   if (world.scene().wind) warn_of_endless_pulse(*world.scene().wind);
   watches_.look_at_current(world);
   parts_.recorder.check(world);
+  check_replay();
   Pacer pacer(world.time());
   while (!ended(stop)) {
     take_inputs();

@@ -115,6 +115,15 @@ void read_entries(const FieldReader& reader, const char* field, const char* step
   }
 }
 
+/// Nothing can happen after the last step.
+template <class Entry>
+void refuse_after_end(const FieldReader& reader, const char* name, std::vector<Entry>& entries,
+                      const CommandLogEnd& end) {
+  if (entries.empty() || step_of(entries.back()) <= end.step) return;
+  reader.fault(name, "stands at step " + std::to_string(step_of(entries.back())) +
+                         ", after the end; allowed: up to step " + std::to_string(end.step));
+}
+
 CommandLogEnd read_end(const FieldReader& reader) {
   CommandLogEnd end;
   reader.require("step");
@@ -183,9 +192,16 @@ CommandLogResult read_command_log_text(std::string_view text, const std::string&
     read_entries(reader, "pose", "before_step", kMostPoses, read_pose, log.poses);
     read_entries(reader, "check", "step", kMostChecks, read_check, log.checks);
     if (reader.has("end")) log.end = read_end(reader.child("end"));
+    if (log.end) {
+      refuse_after_end(reader, "command", log.commands, *log.end);
+      refuse_after_end(reader, "pose", log.poses, *log.end);
+      refuse_after_end(reader, "check", log.checks, *log.end);
+    }
   }
-  if (!faults.empty()) return {std::nullopt, describe_faults(std::move(faults), source_name)};
-  return {std::move(log), {}};
+  if (faults.empty()) return {std::move(log), {}};
+  CommandLogResult refused{std::nullopt, describe_faults(std::move(faults), source_name)};
+  if (!log.cut_off.empty()) refused.faults.push_back(source_name + ": " + log.cut_off);
+  return refused;
 }
 
 CommandLogResult read_command_log_file(const std::filesystem::path& path) {

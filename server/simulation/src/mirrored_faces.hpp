@@ -9,9 +9,8 @@
 
 namespace pelagos {
 
-/// Which bodies end at a mirrored face of the patch where there is water, one line for each body and face. Bodies have
-/// no images beyond such faces, so water leaks past them there: of 640 particles behind a gate of one spacing
-/// thickness, 192 in 10 s. A body that reaches past the face by half a spacing or more holds the water; one that keeps
+/// Which bodies end less than a support radius before a mirrored face of the patch where there is water, one line for
+/// each body and face. A body that reaches the face goes on beyond it as its image and holds the water; one that keeps
 /// a support radius away does not meet the images of the water.
 /// @param level  m, world: of the water at rest
 [[nodiscard]] std::vector<std::string> mirrored_face_notes(const Scene& scene, double support_radius, double level,
