@@ -102,9 +102,13 @@ target_compile_definitions(pelagos_simd INTERFACE
 # Files with SIMD kernels of the folder's library, which links pelagos_simd. They are compiled once per instruction set;
 # the machine picks one at run time.
 function(pelagos_simd_sources)
+  set(optimise -O3)
+  if(PELAGOS_SANITIZE)  # with -O3 the compiler takes minutes for some of them
+    set(optimise -O1)
+  endif()
   set_source_files_properties(${ARGN} PROPERTIES
     SKIP_PRECOMPILE_HEADERS ON
-    COMPILE_OPTIONS "-O3;-fopenmp-simd;-fno-math-errno;-Wno-shadow;-Wno-old-style-cast")
+    COMPILE_OPTIONS "${optimise};-fopenmp-simd;-fno-math-errno;-Wno-shadow;-Wno-old-style-cast")
 endfunction()
 
 # pelagos_add_program(name SOURCES main.cpp ... [LINK lib ...])

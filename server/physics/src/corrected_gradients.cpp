@@ -77,8 +77,7 @@ HWY_INLINE GradientSums correct_with_images(const PairData& data, const Correcti
     const Symmetric its_own = symmetric(gather_records(a.first, index), gather_records(a.second, index));
     const Mirrors its = other_mirrors<kUsed>(data, index, {there.x, there.y, there.z});
     Vec3 g = multiply(own, plain), back = multiply(its_own, plain);
-    for_each_image<kUsed>([&](auto slots) HWY_ATTR {
-      constexpr unsigned kIn = decltype(slots)::value;
+    for_each_image<kUsed>([&]<unsigned kIn>(Slots<kIn>) HWY_ATTR {
       const ImagePair image = image_pair<kIn>(mirrors, its, pair);
       const KernelPair of_image = cubic_spline(image.squared, scales.support, scales.inverse_support);
       const FloatV factor = hn::Mul(of_image.gradient_factor, scales.gradient_spacing);
@@ -109,8 +108,7 @@ void corrected_gradient_groups(const PairData& data, std::size_t first_group, st
       wall,  solid_wall};
   const KernelScales scales = kernel_scales(data);
   for (std::size_t group = first_group; group < last_group; ++group)
-    with_slots(data, group, [&](auto slots) HWY_ATTR {
-      constexpr unsigned kUsed = decltype(slots)::value;
+    with_slots(data, group, [&]<unsigned kUsed>(Slots<kUsed>) HWY_ATTR {
       for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
         const Symmetric own = symmetric(load_records(first + i), load_records(second + i));
         const Vec4 plain_wall = load_records(wall + i);

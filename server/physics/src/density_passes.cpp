@@ -68,8 +68,7 @@ HWY_INLINE void add_images(const PairData& data, const KernelScales& scales, con
                            CachedGradient* kept_other, DensitySums& sums, SolidWalls& walls) {
   const FloatV inverse_spacing = hn::Set(FloatTag(), 1.0F / data.spacing);
   Vec3 g = plain, back = plain;
-  for_each_image<kUsed>([&](auto slots) HWY_ATTR {
-    constexpr unsigned kIn = decltype(slots)::value;
+  for_each_image<kUsed>([&]<unsigned kIn>(Slots<kIn>) HWY_ATTR {
     const ImagePair image = image_pair<kIn>(own, other, pair);
     const KernelPair kernel = cubic_spline(image.squared, scales.support, scales.inverse_support);
     const FloatV factor = hn::Mul(kernel.gradient_factor, scales.gradient_spacing), share = share_of<kIn>(own);
@@ -177,10 +176,9 @@ HWY_INLINE void density_groups_with(const PairData& data, std::size_t first_grou
                                     const DensityOutput& out) {
   const KernelScales scales = kernel_scales(data);
   for (std::size_t group = first_group; group < last_group; ++group)
-    with_slots(data, group, [&](auto slots) HWY_ATTR {
-      for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
-        density_part<kMoments, kPhases, decltype(slots)::value>(data, scales, group, lane, i, out);
-      });
+    with_slots(data, group, [&]<unsigned kUsed>(Slots<kUsed>) HWY_ATTR {
+      for_each_part(group, [&](std::size_t lane, std::size_t i)
+                               HWY_ATTR { density_part<kMoments, kPhases, kUsed>(data, scales, group, lane, i, out); });
     });
 }
 

@@ -78,8 +78,7 @@ HWY_INLINE GradientRows rows_with_images(const PairData& data, const Symmetric& 
     const Mirrors its = other_mirrors<kUsed>(data, index, {there.x, there.y, there.z});
     const KernelPair kernel = cubic_spline(pair.r_squared, scales.support, scales.inverse_support);
     add_change(subtract(own, v), scaled(pair, hn::Mul(kernel.gradient_factor, scales.gradient_spacing)), rows);
-    for_each_image<kUsed>([&](auto slots) HWY_ATTR {
-      constexpr unsigned kIn = decltype(slots)::value;
+    for_each_image<kUsed>([&]<unsigned kIn>(Slots<kIn>) HWY_ATTR {
       const ImagePair image = image_pair<kIn>(mirrors, its, pair);
       const KernelPair of_image = cubic_spline(image.squared, scales.support, scales.inverse_support);
       const FloatV factor = hn::Mul(hn::Mul(of_image.gradient_factor, scales.gradient_spacing), share_of<kIn>(mirrors));
@@ -98,8 +97,7 @@ void velocity_gradient_groups(const PairData& data, std::size_t first_group, std
     store_records({hn::Mul(row.x, scale), hn::Mul(row.y, scale), hn::Mul(row.z, scale), component}, out);
   };
   for (std::size_t group = first_group; group < last_group; ++group)
-    with_slots(data, group, [&](auto slots) HWY_ATTR {
-      constexpr unsigned kUsed = decltype(slots)::value;
+    with_slots(data, group, [&]<unsigned kUsed>(Slots<kUsed>) HWY_ATTR {
       for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
         const Vec4 v = load_records(velocity + i);
         const Vec3 own{v.x, v.y, v.z};
@@ -141,8 +139,7 @@ HWY_INLINE void add_filter_images(const KernelScales& scales, const PairGeometry
                                   const Mirrors& its, const SurfaceDrifts& drifts, const Motion& own,
                                   const Motion& other, FloatV across, SolidWalls& solids, FloatV& density) {
   const FloatV half = hn::Set(FloatTag(), 0.5F);
-  for_each_image<kUsed>([&](auto slots) HWY_ATTR {
-    constexpr unsigned kIn = decltype(slots)::value;
+  for_each_image<kUsed>([&]<unsigned kIn>(Slots<kIn>) HWY_ATTR {
     const ImagePair image = image_pair<kIn>(mirrors, its, pair);
     const FloatV weight =
         hn::Mul(cubic_spline(image.squared, scales.support, scales.inverse_support).value, share_of<kIn>(mirrors));
@@ -215,10 +212,9 @@ HWY_INLINE void filter_groups_with(const PairData& data, std::size_t first_group
                                    const Float4* const* rows, const FilterOutput& out) {
   const KernelScales scales = kernel_scales(data);
   for (std::size_t group = first_group; group < last_group; ++group)
-    with_slots(data, group, [&](auto slots) HWY_ATTR {
-      for_each_part(group, [&](std::size_t lane, std::size_t i) HWY_ATTR {
-        filter_part<kPhases, decltype(slots)::value>(data, scales, group, lane, i, rows, out);
-      });
+    with_slots(data, group, [&]<unsigned kUsed>(Slots<kUsed>) HWY_ATTR {
+      for_each_part(group, [&](std::size_t lane, std::size_t i)
+                               HWY_ATTR { filter_part<kPhases, kUsed>(data, scales, group, lane, i, rows, out); });
     });
 }
 
