@@ -4,38 +4,19 @@
 #include <sstream>
 
 #include "../support/places.hpp"
-#include "control_fixture.hpp"
-#include "ctl.hpp"
+#include "ctl_test.hpp"
 #include "values/beaufort.hpp"
 
 namespace pelagos {
 namespace {
 
+using test::Outcome;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-Outcome run(const std::vector<std::string>& arguments) {
-  std::vector<const char*> argv{"pelagos-ctl"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  std::ostringstream out;
-  std::ostringstream err;
-  const int code = run_ctl(static_cast<int>(argv.size()), argv.data(), out, err);
-  return {code, out.str(), err.str()};
-}
-
-class Ctl : public test::ControlTest {
+class Ctl : public test::CtlTest {
  protected:
-  Outcome ask(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"--server", "127.0.0.1:" + std::to_string(port())});
-    return run(arguments);
-  }
   SetWind last_wind() {
     const auto all = commands();
     const auto* wind = all.empty() ? nullptr : std::get_if<SetWind>(&all.back());
@@ -177,21 +158,21 @@ TEST_F(Ctl, RefusesWhatIsNoNumberItself) {
     EXPECT_THAT(outcome.err, HasSubstr("pelagos-ctl: --speed: is ")) << number;
   }
   EXPECT_THAT(commands(), IsEmpty());
-  EXPECT_THAT(run({"command", "set_wind { wind { speed: 0,5 } }"}).err,
+  EXPECT_THAT(test::run_ctl_with({"command", "set_wind { wind { speed: 0,5 } }"}).err,
               HasSubstr("command: character 26: speed: has a comma in the number 0,5; write 0.5"));
 }
 
 TEST_F(Ctl, NamesTheWrongWord) {
-  EXPECT_THAT(run({"stauts"}).err, HasSubstr("unknown command stauts; did you mean status?"));
-  EXPECT_THAT(run({"release", "hose", "--fom", "1"}).err,
+  EXPECT_THAT(test::run_ctl_with({"stauts"}).err, HasSubstr("unknown command stauts; did you mean status?"));
+  EXPECT_THAT(test::run_ctl_with({"release", "hose", "--fom", "1"}).err,
               HasSubstr("unknown option --fom of release; did you mean --from?"));
-  EXPECT_THAT(run({"status", "--timout", "3"}).err, HasSubstr("did you mean --timeout?"));
+  EXPECT_THAT(test::run_ctl_with({"status", "--timout", "3"}).err, HasSubstr("did you mean --timeout?"));
 }
 
 TEST_F(Ctl, HelpTellsTheLimitsThatHold) {
-  EXPECT_THAT(run({"current", "--help"}).out, HasSubstr("At the surface, m/s (0 to 10)"));
+  EXPECT_THAT(test::run_ctl_with({"current", "--help"}).out, HasSubstr("At the surface, m/s (0 to 10)"));
   EXPECT_THAT(ask({"current", "--speed", "10.1", "--to", "0"}).err, HasSubstr("allowed: 0 to 10 m/s"));
-  EXPECT_THAT(run({"wind", "--help"}).out, HasSubstr("m/s (0 to 75)"));
+  EXPECT_THAT(test::run_ctl_with({"wind", "--help"}).out, HasSubstr("m/s (0 to 75)"));
 }
 
 TEST_F(Ctl, TellsOfACommandLogThatIsNotWritten) {
@@ -204,7 +185,7 @@ TEST_F(Ctl, TellsOfACommandLogThatIsNotWritten) {
 
 TEST_F(Ctl, FollowsEvents) {
   auto following = std::async(std::launch::async, [this, at = port()] {
-    return run({"--server", "127.0.0.1:" + std::to_string(at), "events", "--count", "3", "--json"});
+    return test::run_ctl_with({"--server", "127.0.0.1:" + std::to_string(at), "events", "--count", "3", "--json"});
   });
   // Subscribing takes a moment that cannot be seen from here: go on until three have arrived.
   std::uint64_t sequence = 0;
@@ -234,7 +215,7 @@ TEST_F(Ctl, SaysWhenTooFewEventsCame) {
 TEST_F(Ctl, SaysWhatToDoWhenNobodyListens) {
   const std::uint16_t free_again = port();
   stop();
-  const Outcome outcome = run({"--server", "127.0.0.1:" + std::to_string(free_again), "status"});
+  const Outcome outcome = test::run_ctl_with({"--server", "127.0.0.1:" + std::to_string(free_again), "status"});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.err, HasSubstr("is pelagos-server running at 127.0.0.1:" + std::to_string(free_again)));
   EXPECT_THAT(outcome.err, HasSubstr("Start it with: pelagos-server --scene"));
@@ -273,7 +254,7 @@ class Listener {
 
 TEST(CtlAlone, GivesUpOnAServerThatDoesNotAnswer) {
   const Listener silent;
-  const Outcome outcome = run({"--server", silent.address(), "--timeout", "0.2", "status"});
+  const Outcome outcome = test::run_ctl_with({"--server", silent.address(), "--timeout", "0.2", "status"});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.err, HasSubstr("did not answer within 0.2 s"));
 }
@@ -281,7 +262,7 @@ TEST(CtlAlone, GivesUpOnAServerThatDoesNotAnswer) {
 TEST(CtlAlone, SaysWhenSomethingElseAnswers) {
   const Listener other;
   std::thread web([&] { other.answer("HTTP/1.1 400 Bad Request\r\n\r\n"); });
-  const Outcome outcome = run({"--server", other.address(), "status"});
+  const Outcome outcome = test::run_ctl_with({"--server", other.address(), "status"});
   web.join();
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.err, HasSubstr("does not speak the Pelagos control protocol"));
@@ -304,27 +285,28 @@ TEST(CtlAlone, RefusesWrongCommandLines) {
       {"--server", "127.0.0.1:0", "status"},
   };
   for (const auto& arguments : wrong) {
-    const Outcome outcome = run(arguments);
+    const Outcome outcome = test::run_ctl_with(arguments);
     EXPECT_EQ(outcome.code, 2) << testing::PrintToString(arguments);
     EXPECT_FALSE(outcome.err.empty()) << testing::PrintToString(arguments);
   }
 }
 
 TEST(CtlAlone, HelpHasExamplesAndVersionTells) {
-  const Outcome help = run({"--help"});
+  const Outcome help = test::run_ctl_with({"--help"});
   EXPECT_EQ(help.code, 0);
   EXPECT_THAT(help.out, HasSubstr("pelagos-ctl wind --speed 12 --from 270"));
-  EXPECT_EQ(run({"wind", "--help"}).code, 0);
+  EXPECT_EQ(test::run_ctl_with({"wind", "--help"}).code, 0);
 }
 
 TEST(CtlAlone, HelpOfACommandHasItsOwnExamples) {
-  const std::string wind = run({"wind", "--help"}).out, step = run({"step", "--help"}).out;
+  const std::string wind = test::run_ctl_with({"wind", "--help"}).out,
+                    step = test::run_ctl_with({"step", "--help"}).out;
   EXPECT_THAT(wind, HasSubstr("pelagos-ctl wind --beaufort 7"));
   EXPECT_THAT(wind, Not(HasSubstr("pelagos-ctl wind-at")));
   EXPECT_THAT(wind, Not(HasSubstr("pelagos-ctl boom")));
   EXPECT_THAT(step, HasSubstr("pelagos-ctl pause; pelagos-ctl step 10"));
-  EXPECT_THAT(run({"command", "--help"}).out, Not(HasSubstr("Examples")));
-  const Outcome version = run({"--version"});
+  EXPECT_THAT(test::run_ctl_with({"command", "--help"}).out, Not(HasSubstr("Examples")));
+  const Outcome version = test::run_ctl_with({"--version"});
   EXPECT_EQ(version.code, 0);
   EXPECT_THAT(version.out, HasSubstr("pelagos-ctl "));
 }

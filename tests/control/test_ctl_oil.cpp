@@ -3,35 +3,18 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "control_fixture.hpp"
-#include "ctl.hpp"
+#include "ctl_test.hpp"
 
 namespace pelagos {
 namespace {
 
+using test::Outcome;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-class CtlOil : public test::ControlTest {
+class CtlOil : public test::CtlTest {
  protected:
-  static Outcome run(const std::vector<std::string>& arguments) {
-    std::vector<const char*> argv{"pelagos-ctl"};
-    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-    std::ostringstream out, err;
-    const int code = run_ctl(static_cast<int>(argv.size()), argv.data(), out, err);
-    return {code, out.str(), err.str()};
-  }
-  Outcome ask(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"--server", "127.0.0.1:" + std::to_string(port())});
-    return run(arguments);
-  }
   /// The command that the server was given, if it was one of this kind.
   template <class Kind>
   Kind given(const std::vector<std::string>& arguments) {

@@ -1,33 +1,18 @@
 // pelagos-ctl: current, commands with a time, the schedule.
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "control_fixture.hpp"
-#include "ctl.hpp"
+#include "ctl_test.hpp"
 
 namespace pelagos {
 namespace {
 
+using test::Outcome;
 using testing::AllOf;
 using testing::HasSubstr;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-class CtlSchedule : public test::ControlTest {
+class CtlSchedule : public test::CtlTest {
  protected:
-  Outcome ask(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"pelagos-ctl", "--server", "127.0.0.1:" + std::to_string(port())});
-    std::vector<const char*> argv;
-    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-    std::ostringstream out, err;
-    const int code = run_ctl(static_cast<int>(argv.size()), argv.data(), out, err);
-    return {code, out.str(), err.str()};
-  }
 };
 
 TEST_F(CtlSchedule, SendsEveryCurrentOption) {

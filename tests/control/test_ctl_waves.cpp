@@ -2,31 +2,17 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
-#include "control_fixture.hpp"
-#include "ctl.hpp"
+#include "ctl_test.hpp"
 
 namespace pelagos {
 namespace {
 
+using test::Outcome;
 using testing::HasSubstr;
 
-struct Outcome {
-  int code = -1;
-  std::string out, err;
-};
-
-class CtlWaves : public test::ControlTest {
+class CtlWaves : public test::CtlTest {
  protected:
-  Outcome ask(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"pelagos-ctl", "--server", "127.0.0.1:" + std::to_string(port())});
-    std::vector<const char*> argv;
-    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-    std::ostringstream out, err;
-    const int code = run_ctl(static_cast<int>(argv.size()), argv.data(), out, err);
-    return {code, out.str(), err.str()};
-  }
   SetWaves given(const std::vector<std::string>& arguments) {
     const Outcome outcome = ask(arguments);
     EXPECT_EQ(outcome.code, 0) << outcome.err;

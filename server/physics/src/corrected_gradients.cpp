@@ -31,12 +31,10 @@ HWY_INLINE FloatV corrected_wall_rate(const PairData& data, const KernelScales& 
   return rate;
 }
 
-/// What the pass reads and writes.
+/// The corrections, and the gradients that are kept.
 struct CorrectionArrays {
   const Float4 *first, *second;
   CachedGradient *own, *other;
-  Float4* wall;
-  Float4* const* solid_wall;
 };
 
 /// Turns the kept gradients into corrected ones; returns their sums.
@@ -103,9 +101,8 @@ void corrected_gradient_groups(const PairData& data, std::size_t first_group, st
                                Float4* sum, Float4* wall, Float4* const* solid_wall, void* own_words,
                                void* other_words) {
   const FloatTag d;
-  const CorrectionArrays arrays{
-      first, second,    static_cast<CachedGradient*>(own_words), static_cast<CachedGradient*>(other_words),
-      wall,  solid_wall};
+  const CorrectionArrays arrays{first, second, static_cast<CachedGradient*>(own_words),
+                                static_cast<CachedGradient*>(other_words)};
   const KernelScales scales = kernel_scales(data);
   for (std::size_t group = first_group; group < last_group; ++group)
     with_slots(data, group, [&]<unsigned kUsed>(Slots<kUsed>) HWY_ATTR {

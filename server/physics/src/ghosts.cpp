@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "coordinate.hpp"
 #include "fluid_stages.hpp"
 
 namespace pelagos {
 
 namespace {
-
-float coordinate(const Float4& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
-float& coordinate(Float4& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
 /// One axis of one image: x' = sign x + offset.
 struct AxisImage {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "coordinate.hpp"
+
 namespace pelagos {
 
 namespace {
@@ -41,9 +43,6 @@ class PlaceIndex {
   float size_;
   std::unordered_map<std::int64_t, std::vector<Float4>> places_;
 };
-
-float& coordinate(Float4& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
-float coordinate(const Float4& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
 /// The image of a sample in the plane across `axis` at `place`.
 PlacedSample reflected(PlacedSample sample, std::size_t axis, float place) {

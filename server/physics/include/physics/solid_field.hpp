@@ -10,8 +10,8 @@
 namespace pelagos {
 
 /// The surface of a solid as a distance field: at the nodes of a regular grid, in the solid's own axes, the signed
-/// distance to the surface and the direction away from it. The distance is linear between nodes; a curved surface of
-/// radius R comes out up to cell^2 / (8 R) too near.
+/// distance to the surface and the direction away from it. Between nodes it is exact where it is quadratic in
+/// space, and its gradient gives the direction.
 struct SolidField {
   std::array<float, 3> origin{};  ///< m, of the first node
   float cell = 1.0F;              ///< m, between nodes
