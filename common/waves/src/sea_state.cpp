@@ -69,6 +69,11 @@ double significant_wave_height(int beaufort) {
   return kBeaufort[static_cast<std::size_t>(std::clamp(beaufort, 0, kLargestBeaufort))].wave_height;
 }
 
+double douglas_wave_height(int degree) {
+  constexpr std::array<double, kHighestDouglas + 1> kHeights{0.0, 0.05, 0.3, 0.875, 1.875, 3.25, 5.0, 7.5, 11.5, 14.0};
+  return kHeights[static_cast<std::size_t>(std::clamp(degree, 0, kHighestDouglas))];
+}
+
 int beaufort_number(double wind_speed) {
   int number = 0;
   while (number < kLargestBeaufort && wind_speed >= kBeaufort[static_cast<std::size_t>(number + 1)].least_wind)

@@ -14,6 +14,12 @@ inline constexpr int kLargestBeaufort = 12;
 /// The heights usually printed beside the scale; numbers outside 0..12 are clamped.
 [[nodiscard]] double significant_wave_height(int beaufort);
 
+inline constexpr int kHighestDouglas = 9;
+
+/// Significant wave height of a degree of the Douglas sea scale (WMO code table 3700), m: the middle of its range, of
+/// degree 9 ("over 14 m") 14 m. Numbers outside 0..9 are clamped.
+[[nodiscard]] double douglas_wave_height(int degree);
+
 /// Beaufort number of a 10 m wind speed in m/s (10 minute mean); negative or not finite gives 0.
 [[nodiscard]] int beaufort_number(double wind_speed);
 
