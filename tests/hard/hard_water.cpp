@@ -109,7 +109,7 @@ FluidParameters tank_with(const std::string& name, const std::array<double, 3>& 
   p.support_radius = 2.0 * spacing;
   apply_solver(solver, p);
   p.viscosity = default_viscosity(solver.kind, spacing);
-  for (std::size_t a = 0; a < 3; ++a) p.tank.max[a] = static_cast<float>(size[a]);
+  for (std::size_t a = 0; a < 3; ++a) p.patch.max[a] = static_cast<float>(size[a]);
   return p;
 }
 

@@ -112,7 +112,8 @@ TEST(SampleTank, WithWallsAllAroundIsTheSampledBox) {
   TaskPool pool(2);
   std::vector<Float4> box = sample_box(kTank, kTankSpacing);
   assign_boundary_volumes(pool, kTankSupport, box);
-  const std::vector<Float4> samples = sample_tank(pool, kTank, {kWall, kWall, kWall}, kTankSpacing, kTankSupport);
+  const std::vector<Float4> samples =
+      sample_patch_walls(pool, kTank, {kWall, kWall, kWall}, kTankSpacing, kTankSupport);
   ASSERT_EQ(samples.size(), box.size());
   for (std::size_t k = 0; k < box.size(); ++k) {
     const Double3 off = minus(as_double(samples[k]), as_double(box[k]));
@@ -123,12 +124,13 @@ TEST(SampleTank, WithWallsAllAroundIsTheSampledBox) {
 
 TEST(SampleTank, WithoutWallsIsEmpty) {
   TaskPool pool(2);
-  EXPECT_TRUE(sample_tank(pool, kTank, {kMirror, kPeriodic, kMirror}, kTankSpacing, kTankSupport).empty());
+  EXPECT_TRUE(sample_patch_walls(pool, kTank, {kMirror, kPeriodic, kMirror}, kTankSpacing, kTankSupport).empty());
 }
 
 TEST(SampleTank, AFloorGoesOnBeyondMirroredAndPeriodicFaces) {
   TaskPool pool(2);
-  const std::vector<Float4> samples = sample_tank(pool, kTank, {kMirror, kPeriodic, kWall}, kTankSpacing, kTankSupport);
+  const std::vector<Float4> samples =
+      sample_patch_walls(pool, kTank, {kMirror, kPeriodic, kWall}, kTankSpacing, kTankSupport);
   // Floor and lid, two intervals (one support radius) beyond each side: (10 + 1 + 4) x (8 + 1 + 4) samples each.
   EXPECT_EQ(samples.size(), 2U * 15U * 13U);
   for (const Float4& p : samples) {
@@ -143,7 +145,8 @@ TEST(SampleTank, AFloorGoesOnBeyondMirroredAndPeriodicFaces) {
 TEST(SampleTank, AChannelIsTheSameAllAlong) {
   TaskPool pool(2);
   // Periodic along x: floor, lid and two side walls; volumes depend on y and z only.
-  const std::vector<Float4> samples = sample_tank(pool, kTank, {kPeriodic, kWall, kWall}, kTankSpacing, kTankSupport);
+  const std::vector<Float4> samples =
+      sample_patch_walls(pool, kTank, {kPeriodic, kWall, kWall}, kTankSpacing, kTankSupport);
   std::map<std::array<int, 2>, std::vector<float>> rows;
   for (const Float4& p : samples)
     rows[{static_cast<int>(std::lround(p.y / 0.05F)), static_cast<int>(std::lround(p.z / 0.05F))}].push_back(p.w);

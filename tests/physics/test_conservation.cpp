@@ -70,8 +70,8 @@ void expect_all_there(const WaterScene& water, std::size_t count) {
 std::unique_ptr<WaterScene> spinning_ball(const Case& c) {
   FluidParameters parameters = parameters_of(c, {4, 4, 4});
   for (std::size_t a = 0; a < 3; ++a) {
-    parameters.tank.min[a] = -2.0F;
-    parameters.tank.max[a] = 2.0F;
+    parameters.patch.min[a] = -2.0F;
+    parameters.patch.max[a] = 2.0F;
   }
   parameters.gravity = 0.0;
   std::vector<Float4> points = lattice({11, 11, 11}, kSpacing, {-0.25, -0.25, -0.25});

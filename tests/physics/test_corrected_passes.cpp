@@ -38,7 +38,7 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 /// A tank filled with particles in disorder.
 std::unique_ptr<TankScene> filled(TaskPool& pool, const Case& c, std::uint32_t seed) {
   std::vector<Float4> walls;
-  if (c.sampled) walls = sample_tank(pool, kTank, c.edges, kSpacing, 2.0 * kSpacing);
+  if (c.sampled) walls = sample_patch_walls(pool, kTank, c.edges, kSpacing, 2.0 * kSpacing);
   return std::make_unique<TankScene>(pool, kTank, c.edges, fill_tank(kTank, kSpacing, 0.25, seed), walls, kSpacing);
 }
 

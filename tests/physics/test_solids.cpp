@@ -18,7 +18,7 @@ FluidParameters parameters(double floor) {
   FluidParameters q;
   q.spacing = kD, q.support_radius = kH, q.viscosity = 0.0, q.scheme = Scheme::kCorrected;
   q.density.tolerance = q.divergence.tolerance = 3e-4;
-  q.tank = Region{{0, 0, static_cast<float>(floor)}, {0.6F, 0.6F, 1.0F}};
+  q.patch = Region{{0, 0, static_cast<float>(floor)}, {0.6F, 0.6F, 1.0F}};
   q.edges = {Edge::kPeriodic, Edge::kPeriodic, Edge::kMirror};
   return q;
 }
@@ -97,7 +97,7 @@ Adjoint adjoint(TaskPool& pool, FluidState& state) {
 FluidState around_ball(TaskPool& pool, double radius, std::int32_t body = -1) {
   FluidParameters q = parameters(0.0);
   q.edges = {Edge::kPeriodic, Edge::kPeriodic, Edge::kPeriodic};
-  q.tank = Region{{0, 0, 0}, {0.6F, 0.6F, 0.6F}};
+  q.patch = Region{{0, 0, 0}, {0.6F, 0.6F, 0.6F}};
   std::vector<Float4> points;
   std::mt19937 random(5);
   std::uniform_real_distribution<double> shift(-0.15 * kD, 0.15 * kD);

@@ -53,8 +53,8 @@ FluidParameters oil_tank(const Case& c, const Double3& size, double oil_density,
 std::unique_ptr<WaterScene> spinning_drop(const Case& c, double oil_density) {
   FluidParameters parameters = oil_tank(c, {4, 4, 4}, oil_density);
   for (std::size_t a = 0; a < 3; ++a) {
-    parameters.tank.min[a] = -2.0F;
-    parameters.tank.max[a] = 2.0F;
+    parameters.patch.min[a] = -2.0F;
+    parameters.patch.max[a] = 2.0F;
   }
   parameters.gravity = 0.0;
   std::vector<Float4> points = lattice({11, 11, 11}, kSpacing, {-0.25, -0.25, -0.25});

@@ -41,7 +41,7 @@ inline FluidParameters tank(const Double3& size, double spacing) {
   p.spacing = spacing;
   p.support_radius = 2.0 * spacing;
   p.viscosity = 0.01 * std::pow(spacing / 0.05, 1.5);
-  for (std::size_t a = 0; a < 3; ++a) p.tank.max[a] = static_cast<float>(size[a]);
+  for (std::size_t a = 0; a < 3; ++a) p.patch.max[a] = static_cast<float>(size[a]);
   return p;
 }
 

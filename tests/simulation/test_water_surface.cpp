@@ -30,12 +30,12 @@ class WaterSurfaceTest : public testing::Test {
   }
   void SetUp() override {
     while (world_.time() < 1.0) (void)world_.advance();
-    const Region& patch = world_.fluid().parameters.tank;
+    const Region& patch = world_.fluid().parameters.patch;
     min_ = {patch.min[0], patch.min[1]};
     max_ = {patch.max[0], patch.max[1]};
   }
   [[nodiscard]] SurfaceSurroundings around(const PatchBlend& blend) const {
-    return {world_.patch(), world_.fluid().parameters.tank, blend};
+    return {world_.patch(), world_.fluid().parameters.patch, blend};
   }
   /// Places up to 8 m outside the patch.
   [[nodiscard]] std::vector<SurfacePlace> places(std::size_t count) const {

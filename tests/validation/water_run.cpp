@@ -102,7 +102,7 @@ FluidParameters tank_parameters(const std::array<double, 3>& size, double spacin
   p.support_radius = 2.0 * spacing;
   p.viscosity = -1.0;  // the solver's default
   p.edges = edges;
-  for (std::size_t a = 0; a < 3; ++a) p.tank.max[a] = static_cast<float>(size[a]);
+  for (std::size_t a = 0; a < 3; ++a) p.patch.max[a] = static_cast<float>(size[a]);
   return p;
 }
 
@@ -112,7 +112,7 @@ Start fill_block(const FluidParameters& parameters, const std::array<double, 3>&
   std::array<int, 3> n{};
   for (std::size_t a = 0; a < 3; ++a) {
     const bool wall = parameters.edges[a] == Edge::kWall;
-    first[a] = static_cast<double>(parameters.tank.min[a]) + (wall ? 1.0 : 0.5) * d;
+    first[a] = static_cast<double>(parameters.patch.min[a]) + (wall ? 1.0 : 0.5) * d;
     n[a] = static_cast<int>(std::floor(size[a] / d + 1e-6)) - (wall ? 1 : 0);
   }
   Start start;

@@ -97,17 +97,17 @@ std::vector<Float4> sample_box(const Region& box, double spacing) {
   return sample_faces(box, {Edge::kWall, Edge::kWall, Edge::kWall}, spacing, 0);
 }
 
-std::vector<Float4> sample_tank(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, double spacing,
-                                double support_radius) {
+std::vector<Float4> sample_patch_walls(TaskPool& pool, const Region& patch, const std::array<Edge, 3>& edges,
+                                       double spacing, double support_radius) {
   // Twice the support beyond the faces that are not walls, so that the samples that are kept have all their neighbours.
   const auto margin = static_cast<int>(std::ceil(2.0 * support_radius / spacing));
-  std::vector<Float4> samples = sample_faces(tank, edges, spacing, margin);
+  std::vector<Float4> samples = sample_faces(patch, edges, spacing, margin);
   assign_boundary_volumes(pool, support_radius, samples);
   const float reach = static_cast<float>(support_radius) * 1.001F;
   std::erase_if(samples, [&](const Float4& p) {
     const float c[3] = {p.x, p.y, p.z};
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (c[axis] < tank.min[axis] - reach || c[axis] > tank.max[axis] + reach) return true;
+      if (c[axis] < patch.min[axis] - reach || c[axis] > patch.max[axis] + reach) return true;
     return false;
   });
   return samples;

@@ -43,14 +43,14 @@ void sort_static_walls(TaskPool& pool, FluidState& state, std::span<const Float4
   for (std::size_t k = 0; k < walls.count; ++k) walls.position[k] = samples[state.order[k]];
 }
 
-void place_tank(TaskPool& pool, FluidState& state) {
+void place_patch_walls(TaskPool& pool, FluidState& state) {
   const FluidParameters& q = state.parameters;
-  sort_static_walls(pool, state, sample_tank(pool, q.tank, q.edges, q.spacing, q.support_radius));
+  sort_static_walls(pool, state, sample_patch_walls(pool, q.patch, q.edges, q.spacing, q.support_radius));
 }
 
-/// The tank and one support radius around it.
+/// The patch and one support radius around it.
 Region grid_region(const FluidParameters& parameters) {
-  Region region = parameters.tank;
+  Region region = parameters.patch;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     region.min[axis] -= static_cast<float>(parameters.support_radius);
     region.max[axis] += static_cast<float>(parameters.support_radius);
@@ -74,7 +74,7 @@ FluidState make_fluid(TaskPool& pool, const FluidParameters& parameters, std::sp
   // At rest gravity is the only acceleration; the first step acts with it.
   std::fill(state.particles.acceleration.begin(), state.particles.acceleration.end(),
             Float4{0.0F, 0.0F, static_cast<float>(-parameters.gravity), 0.0F});
-  place_tank(pool, state);
+  place_patch_walls(pool, state);
   const std::size_t padded = padded_count(state.particles.count);
   state.source.assign(padded, 0.0F);
   return state;
@@ -83,11 +83,11 @@ FluidState make_fluid(TaskPool& pool, const FluidParameters& parameters, std::sp
 void add_static_walls(TaskPool& pool, FluidState& state, std::span<const Float4> samples) {
   assert(state.moving_position.empty());
   if (samples.empty()) return;
-  const auto tank = state.walls.position.begin();
-  std::vector<Float4> all(tank, tank + static_cast<std::ptrdiff_t>(state.static_walls));
+  const auto faces = state.walls.position.begin();
+  std::vector<Float4> all(faces, faces + static_cast<std::ptrdiff_t>(state.static_walls));
   const FluidParameters& q = state.parameters;
-  for (const PlacedSample& sample :
-       place_with_images(q.tank, q.edges, static_cast<float>(q.support_radius), static_cast<float>(q.spacing), samples))
+  for (const PlacedSample& sample : place_with_images(q.patch, q.edges, static_cast<float>(q.support_radius),
+                                                      static_cast<float>(q.spacing), samples))
     all.push_back(sample.position);
   sort_static_walls(pool, state, all);
 }
@@ -175,14 +175,14 @@ void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report) {
 
 namespace {
 
-/// Bounds that a particle has left the tank beyond. Mirrors and periodic faces have none: what a correction has moved
+/// Bounds that a particle has left the patch beyond. Mirrors and periodic faces have none: what a correction has moved
 /// beyond them is put back at the start of the next step.
 void set_bounds(const FluidParameters& parameters, StateArrays& arrays) {
   constexpr float kAnywhere = std::numeric_limits<float>::infinity();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const bool wall = parameters.edges[axis] == Edge::kWall;
-    arrays.min[axis] = wall ? parameters.tank.min[axis] : -kAnywhere;
-    arrays.max[axis] = wall ? parameters.tank.max[axis] : kAnywhere;
+    arrays.min[axis] = wall ? parameters.patch.min[axis] : -kAnywhere;
+    arrays.max[axis] = wall ? parameters.patch.max[axis] : kAnywhere;
   }
 }
 

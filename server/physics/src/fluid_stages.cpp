@@ -67,7 +67,7 @@ void sort_particles(TaskPool& pool, FluidState& state) {
   permute(pool, state.order, p.id, state.sorted_id);
   mark_phases(pool, state);
   if (!has_ghosts(state.parameters.edges)) return;
-  make_ghosts(pool, state.parameters.tank, state.parameters.edges, static_cast<float>(state.parameters.support_radius),
+  make_ghosts(pool, state.parameters.patch, state.parameters.edges, static_cast<float>(state.parameters.support_radius),
               p.count, p.position, state.ghosts);
   if (p.velocity.size() < p.position.size()) p.velocity.resize(p.position.size());
   extend_velocities(pool, state);
@@ -76,7 +76,7 @@ void sort_particles(TaskPool& pool, FluidState& state) {
 void wrap(TaskPool& pool, FluidState& state) {
   FluidParticles& p = state.particles;
   if (has_ghosts(state.parameters.edges))
-    wrap_particles(pool, state.parameters.tank, state.parameters.edges, p.count, p.position, p.velocity);
+    wrap_particles(pool, state.parameters.patch, state.parameters.edges, p.count, p.position, p.velocity);
 }
 
 void extend_positions(TaskPool& pool, FluidState& state) {

@@ -19,21 +19,21 @@ struct AxisImages {
   std::size_t count = 1;
 };
 
-AxisImages images_across(const Region& tank, Edge edge, std::size_t axis, float reach, float x) {
+AxisImages images_across(const Region& patch, Edge edge, std::size_t axis, float reach, float x) {
   AxisImages images;
   if (edge == Edge::kWall) return images;
-  const float low = tank.min[axis], high = tank.max[axis];
+  const float low = patch.min[axis], high = patch.max[axis];
   const auto add = [&](AxisImage image) { images.image[images.count++] = image; };
   if (x < low + reach) add(edge == Edge::kMirror ? AxisImage{-1.0F, 2.0F * low} : AxisImage{1.0F, high - low});
   if (x > high - reach) add(edge == Edge::kMirror ? AxisImage{-1.0F, 2.0F * high} : AxisImage{1.0F, low - high});
   return images;
 }
 
-void add_images(const Region& tank, const std::array<Edge, 3>& edges, float reach, std::size_t i, const Float4& p,
+void add_images(const Region& patch, const std::array<Edge, 3>& edges, float reach, std::size_t i, const Float4& p,
                 std::vector<Ghosts::Image>& out) {
   std::array<AxisImages, 3> axes;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    axes[axis] = images_across(tank, edges[axis], axis, reach, coordinate(p, axis));
+    axes[axis] = images_across(patch, edges[axis], axis, reach, coordinate(p, axis));
   for (std::size_t a = 0; a < axes[0].count; ++a)
     for (std::size_t b = 0; b < axes[1].count; ++b)
       for (std::size_t c = 0; c < axes[2].count; ++c) {
@@ -52,12 +52,12 @@ Float4 place(const Float4& sign, const Float4& offset, const Float4& p) {
 struct Inside {
   std::array<float, 3> low, high;
 
-  Inside(const Region& tank, const std::array<Edge, 3>& edges, float reach) {
+  Inside(const Region& patch, const std::array<Edge, 3>& edges, float reach) {
     constexpr float kAnywhere = std::numeric_limits<float>::infinity();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const bool images = edges[axis] != Edge::kWall;
-      low[axis] = images ? tank.min[axis] + reach : -kAnywhere;
-      high[axis] = images ? tank.max[axis] - reach : kAnywhere;
+      low[axis] = images ? patch.min[axis] + reach : -kAnywhere;
+      high[axis] = images ? patch.max[axis] - reach : kAnywhere;
     }
   }
   [[nodiscard]] bool contains(const Float4& p) const {
@@ -77,16 +77,16 @@ void join_images(TaskPool& pool, std::size_t blocks, Ghosts& ghosts) {
 }
 
 /// Images in the order of their particles, whatever the number of threads.
-void collect_images(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, float reach,
+void collect_images(TaskPool& pool, const Region& patch, const std::array<Edge, 3>& edges, float reach,
                     std::size_t count, std::span<const Float4> position, Ghosts& ghosts) {
   const std::size_t blocks = (count + kPointBlock - 1) / kPointBlock;
   if (ghosts.found.size() < blocks) ghosts.found.resize(blocks);
-  const Inside inside(tank, edges, reach);
+  const Inside inside(patch, edges, reach);
   pool.for_each_range(count, kPointBlock, [&](std::size_t begin, std::size_t end) {
     std::vector<Ghosts::Image>& out = ghosts.found[begin / kPointBlock];
     out.clear();
     for (std::size_t i = begin; i < end; ++i)
-      if (!inside.contains(position[i])) add_images(tank, edges, reach, i, position[i], out);
+      if (!inside.contains(position[i])) add_images(patch, edges, reach, i, position[i], out);
   });
   join_images(pool, blocks, ghosts);
 }
@@ -104,12 +104,12 @@ bool has_ghosts(const std::array<Edge, 3>& edges) {
   return edges[0] != Edge::kWall || edges[1] != Edge::kWall || edges[2] != Edge::kWall;
 }
 
-void wrap_particles(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, std::size_t count,
+void wrap_particles(TaskPool& pool, const Region& patch, const std::array<Edge, 3>& edges, std::size_t count,
                     std::span<Float4> position, std::span<Float4> velocity) {
   pool.for_each_range(count, kPointBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (edges[axis] == Edge::kWall) continue;
-      const float low = tank.min[axis], high = tank.max[axis], period = high - low;
+      const float low = patch.min[axis], high = patch.max[axis], period = high - low;
       for (std::size_t i = begin; i < end; ++i) {
         float& x = coordinate(position[i], axis);
         if (x >= low && x < high) continue;
@@ -124,9 +124,9 @@ void wrap_particles(TaskPool& pool, const Region& tank, const std::array<Edge, 3
   });
 }
 
-void make_ghosts(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, float reach, std::size_t count,
+void make_ghosts(TaskPool& pool, const Region& patch, const std::array<Edge, 3>& edges, float reach, std::size_t count,
                  std::vector<Float4>& position, Ghosts& ghosts) {
-  collect_images(pool, tank, edges, reach, count, position, ghosts);
+  collect_images(pool, patch, edges, reach, count, position, ghosts);
   ghosts.count = ghosts.images.size();
   ghosts.begin = padded_count(count);
   ghosts.unsorted.resize(ghosts.count);

@@ -28,7 +28,7 @@ void sort_moving_walls(TaskPool& pool, FluidState& state) {
   state.walls_move = false;
   if (state.moving_position.empty()) return;
   const FluidParameters& q = state.parameters;
-  const std::vector<PlacedSample> placed = place_with_images(q.tank, q.edges, static_cast<float>(q.support_radius),
+  const std::vector<PlacedSample> placed = place_with_images(q.patch, q.edges, static_cast<float>(q.support_radius),
                                                              static_cast<float>(q.spacing), state.moving_position);
   const std::size_t moving = placed.size();
   std::vector<Float4> positions(moving);

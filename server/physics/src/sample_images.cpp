@@ -56,12 +56,12 @@ PlacedSample shifted(PlacedSample sample, std::size_t axis, float by) {
   return sample;
 }
 
-void mirror_across(std::size_t axis, const Region& tank, float reach, float spacing,
+void mirror_across(std::size_t axis, const Region& patch, float reach, float spacing,
                    std::vector<PlacedSample>& samples) {
   PlaceIndex taken(kSamePlace * spacing);
   std::vector<PlacedSample> images;
-  for (const float face : {tank.min[axis], tank.max[axis]}) {
-    const bool upper = face == tank.max[axis];
+  for (const float face : {patch.min[axis], patch.max[axis]}) {
+    const bool upper = face == patch.max[axis];
     for (const PlacedSample& sample : samples) {
       const float inside = (upper ? -1.0F : 1.0F) * (coordinate(sample.position, axis) - face);
       if (!(std::abs(inside) < reach)) continue;
@@ -73,8 +73,8 @@ void mirror_across(std::size_t axis, const Region& tank, float reach, float spac
     if (!taken.has_near(image.position)) samples.push_back(image);
 }
 
-void repeat_across(std::size_t axis, const Region& tank, float reach, std::vector<PlacedSample>& samples) {
-  const float low = tank.min[axis], high = tank.max[axis];
+void repeat_across(std::size_t axis, const Region& patch, float reach, std::vector<PlacedSample>& samples) {
+  const float low = patch.min[axis], high = patch.max[axis];
   const std::size_t count = samples.size();
   for (std::size_t k = 0; k < count; ++k) {
     const float x = coordinate(samples[k].position, axis);
@@ -85,15 +85,15 @@ void repeat_across(std::size_t axis, const Region& tank, float reach, std::vecto
 
 }  // namespace
 
-std::vector<PlacedSample> place_with_images(const Region& tank, const std::array<Edge, 3>& edges, float reach,
+std::vector<PlacedSample> place_with_images(const Region& patch, const std::array<Edge, 3>& edges, float reach,
                                             float spacing, std::span<const Float4> samples) {
   std::vector<PlacedSample> placed;
   placed.reserve(samples.size());
   for (std::size_t k = 0; k < samples.size(); ++k)
     placed.push_back({samples[k], static_cast<std::uint32_t>(k), {1, 1, 1, 1}});
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (edges[axis] == Edge::kMirror) mirror_across(axis, tank, reach, spacing, placed);
-    if (edges[axis] == Edge::kPeriodic) repeat_across(axis, tank, reach, placed);
+    if (edges[axis] == Edge::kMirror) mirror_across(axis, patch, reach, spacing, placed);
+    if (edges[axis] == Edge::kPeriodic) repeat_across(axis, patch, reach, placed);
   }
   return placed;
 }

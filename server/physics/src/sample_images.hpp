@@ -18,7 +18,7 @@ struct PlacedSample {
 
 /// The samples, and their images within `reach` of the faces: a body that ends at a mirrored face goes on beyond. No
 /// image is made where a sample lies already, as of a body that reaches past the face.
-[[nodiscard]] std::vector<PlacedSample> place_with_images(const Region& tank, const std::array<Edge, 3>& edges,
+[[nodiscard]] std::vector<PlacedSample> place_with_images(const Region& patch, const std::array<Edge, 3>& edges,
                                                           float reach, float spacing, std::span<const Float4> samples);
 
 }  // namespace pelagos

@@ -55,7 +55,7 @@ struct StateArrays {
   const Float4* velocity;
   const Float4* acceleration;
   const float* density;
-  float min[3], max[3];                 ///< tank
+  float min[3], max[3];                 ///< m, the patch
   const std::uint8_t* phase = nullptr;  ///< null: all particles have the same mass
   float oil_mass = 1;                   ///< of an oil particle, over that of a water particle
 };

@@ -75,7 +75,7 @@ Eigen::AlignedBox3d everywhere() {
 }
 
 /// The patch and `margin` around it, as a box in the body's axes.
-Eigen::AlignedBox3d tank_around(const Scene& scene, const BodyState& state, double margin) {
+Eigen::AlignedBox3d patch_around(const Scene& scene, const BodyState& state, double margin) {
   Eigen::AlignedBox3d box;
   for (int corner = 0; corner < 8; ++corner) {
     Eigen::Vector3d x;
@@ -154,7 +154,7 @@ void Bodies::add_surface(TaskPool& pool, const Scene& scene, double support_radi
                       !body.settings.sample_inset && thin_share(body.shape, kThinForFields * spacing_) < kMostThin;
   if (fields) {
     FieldExtent extent{spacing_, support_radius, {}};
-    extent.within = body.moves() ? everywhere() : tank_around(scene, body.state, support_radius);
+    extent.within = body.moves() ? everywhere() : patch_around(scene, body.state, support_radius);
     body.fields = make_distance_fields(pool, body.shape, extent);
   }
   if (body.fields.empty()) add_samples(pool, scene, support_radius, body);
@@ -309,7 +309,7 @@ void Bodies::advance(double now, double dt, const PatchFrame& frame, FluidState&
     if (body.driven) body.state = body.driven->advance(dt, now);
     body.held = body.free && now < body.settings.free_from;
     if (body.gives_way()) {
-      if (body.driven && !is_over(fluid.parameters.tank, frame.to_local(body.state.position)))
+      if (body.driven && !is_over(fluid.parameters.patch, frame.to_local(body.state.position)))
         body.free->rest();
       else
         body.free->predict(dt, fluid.parameters.gravity, order);

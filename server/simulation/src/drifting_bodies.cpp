@@ -23,7 +23,7 @@ double median(std::vector<double>& values) {
 
 /// m/s, the middle of the surface's velocities all over the patch: wakes cover few of the places.
 Eigen::Vector2d drift_of_surface(WaterSurface& surface, const FluidState& fluid) {
-  const Region& patch = fluid.parameters.tank;
+  const Region& patch = fluid.parameters.patch;
   const Eigen::Vector2d min(patch.min[0], patch.min[1]), max(patch.max[0], patch.max[1]);
   std::vector<SurfacePlace> places;
   for (int i = 0; i < kWatchRows; ++i)

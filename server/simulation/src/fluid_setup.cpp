@@ -101,8 +101,8 @@ FluidParameters fluid_parameters(const Scene& scene, const PatchFrame& frame) {
   if (scene.oil && scene.oil->model != OilModel::kSlick) p.oil = phase_parameters(scene.oil->properties, p.viscosity);
   p.gravity = scene.gravity;
   for (int axis = 0; axis < 3; ++axis) {
-    p.tank.min[axis] = static_cast<float>(box.min[axis]);
-    p.tank.max[axis] = static_cast<float>(box.max[axis]);
+    p.patch.min[axis] = static_cast<float>(box.min[axis]);
+    p.patch.max[axis] = static_cast<float>(box.max[axis]);
   }
   for (std::size_t axis = 0; axis < 3; ++axis) p.edges[axis] = edge_of(water_edges(scene)[axis]);
   apply_solver(scene.solver, p);

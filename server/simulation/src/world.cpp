@@ -77,7 +77,7 @@ World::World(const Scene& scene, const WorldOptions& options)
       water_level_(rest_level(*pool_, scene, bodies_,
                               std::span(fluid_.particles.position).first(fluid_.particles.count), frame_)),
       sea_(make_sea(scene, around_.gravity, water_level_)),
-      water_surface_(*pool_, {frame_, fluid_.parameters.tank, {}}),
+      water_surface_(*pool_, {frame_, fluid_.parameters.patch, {}}),
       drive_(scene, frame_, water_level_, fluid_.particles.count),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
       max_step_(largest_time_step(scene)) {

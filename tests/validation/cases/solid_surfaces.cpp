@@ -47,7 +47,7 @@ TriangleMesh bed_mesh(const Bed& bed, double length, double width, double margin
 Start fill_over(const Bed& bed, const TravellingWave& wave, const FluidParameters& parameters) {
   const double d = wave.spacing, below = std::ceil(bed.amplitude / d) * d;
   FluidParameters flat = parameters;
-  flat.tank.min[2] = static_cast<float>(-below);
+  flat.patch.min[2] = static_cast<float>(-below);
   Start start = fill_block(flat, {wave.length, wave.slice * d, wave.depth + below});
   std::erase_if(start.positions, [&](const Float4& p) {
     const double x = static_cast<double>(p.x), slope = 2.0 * M_PI * bed.amplitude / bed.length;
@@ -61,7 +61,7 @@ WaterRun start_over(int threads, const Bed& bed, const TravellingWave& wave, con
   const double d = wave.spacing, width = wave.slice * d;
   FluidParameters parameters = tank_parameters({wave.length, width, 1.5 * wave.depth + 4.0 * wave.amplitude}, d,
                                                {Edge::kPeriodic, Edge::kPeriodic, Edge::kMirror});
-  parameters.tank.min[2] = static_cast<float>(-bed.amplitude - 6.0 * d);
+  parameters.patch.min[2] = static_cast<float>(-bed.amplitude - 6.0 * d);
   Start start = fill_over(bed, wave, parameters);
   const LinearWave linear{2.0 * M_PI / wave.length, wave.depth, parameters.gravity};
   start.velocities = start_wave(linear, wave.amplitude, false, start.positions);

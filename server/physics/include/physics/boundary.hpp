@@ -16,8 +16,9 @@ namespace pelagos {
 
 /// The same with volumes, on the faces across axes with Edge::kWall only. Where such a face meets a mirrored or
 /// periodic one, its samples go on for one support radius, so that the wall looks the same beyond.
-[[nodiscard]] std::vector<Float4> sample_tank(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges,
-                                              double spacing, double support_radius);
+[[nodiscard]] std::vector<Float4> sample_patch_walls(TaskPool& pool, const Region& patch,
+                                                     const std::array<Edge, 3>& edges, double spacing,
+                                                     double support_radius);
 
 /// Volumes of boundary samples, V_b = 1 / sum_b' W_bb' over the samples of the same body (Akinci et al. 2012, eq. 4, in
 /// volume form); written to w.

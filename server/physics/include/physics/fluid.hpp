@@ -38,8 +38,8 @@ struct FluidParameters {
   double viscosity = 0.01;                                           ///< m^2/s, of the water
   std::optional<PhaseParameters> oil;                                ///< none: no particle is oil
   double gravity = kStandardGravity;                                 ///< m/s^2, along -z
-  Region tank;                                                       ///< m, local
-  std::array<Edge, 3> edges{Edge::kWall, Edge::kWall, Edge::kWall};  ///< how the faces across x, y, z close the tank
+  Region patch;                                                      ///< m, local
+  std::array<Edge, 3> edges{Edge::kWall, Edge::kWall, Edge::kWall};  ///< how the faces across x, y, z close the patch
   Scheme scheme = Scheme::kHybrid;
   double filter = 3.0;  ///< corrected scheme: strength of the velocity filter, no unit
   SolveSettings density;
@@ -101,7 +101,7 @@ struct FluidState : WaterState {
   std::vector<std::uint8_t> sorted_phase;
 };
 
-/// Builds the state: particles at the given local positions, at rest; walls of the tank sampled and sorted.
+/// Builds the state: particles at the given local positions, at rest; walls of the patch sampled and sorted.
 /// @param phase  of each particle; empty: all are water. Oil needs parameters.oil
 [[nodiscard]] FluidState make_fluid(TaskPool& pool, const FluidParameters& parameters,
                                     std::span<const Float4> positions, std::span<const std::uint8_t> phase = {});

@@ -11,7 +11,7 @@
 
 namespace pelagos {
 
-/// How the two faces of the tank across one axis close it.
+/// How the two faces of the patch across one axis close it.
 enum class Edge : std::uint8_t {
   kWall,      ///< boundary samples
   kMirror,    ///< a smooth plane: ghosts are mirror images, normal coordinate and normal velocity reflected
@@ -21,7 +21,7 @@ enum class Edge : std::uint8_t {
 /// Images of the particles near mirrored and periodic faces, one support radius deep. They stand behind the particles
 /// in the same arrays and in the same neighbour lists, so pair loops do not know them; whoever changes an array that is
 /// gathered brings its images up to date with `extend`. An image i' of i and an image j' of j are as far from each
-/// other's originals, so a sum over neighbours and images keeps its exact adjoint. Such a tank is at least one support
+/// other's originals, so a sum over neighbours and images keeps its exact adjoint. Such a patch is at least one support
 /// radius across: only the nearest image on either side is made.
 struct Ghosts {
   std::size_t count = 0;
@@ -48,12 +48,12 @@ struct Ghosts {
 
 /// Brings particles that have crossed a periodic or mirrored face back: shifted by the period, or reflected with their
 /// normal velocity.
-void wrap_particles(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, std::size_t count,
+void wrap_particles(TaskPool& pool, const Region& patch, const std::array<Edge, 3>& edges, std::size_t count,
                     std::span<Float4> position, std::span<Float4> velocity);
 
 /// Makes the images of the particles within `reach` of a face and sorts them by cell. `position` is resized to hold
 /// them, from padded_count(count) on; entries in between are left alone.
-void make_ghosts(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, float reach, std::size_t count,
+void make_ghosts(TaskPool& pool, const Region& patch, const std::array<Edge, 3>& edges, float reach, std::size_t count,
                  std::vector<Float4>& position, Ghosts& ghosts);
 
 /// Entries that an array needs which is gathered with ghosts.

@@ -79,7 +79,7 @@ struct StepReport {
   std::uint32_t long_rows = 0;    ///< particles whose neighbours took the slow path
   std::uint32_t cut_rows = 0;     ///< particles with so many neighbours that only the nearest are kept
   std::uint32_t capped = 0;       ///< particles whose correction met the bound of d/4
-  std::uint32_t outside = 0;      ///< particles beyond a wall of the tank
+  std::uint32_t outside = 0;      ///< particles beyond a wall of the patch
   std::uint32_t not_finite = 0;   ///< particles with a value that is not finite
   StageTimes times;
 };
