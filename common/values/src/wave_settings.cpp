@@ -14,31 +14,31 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// rad/m
-double wavenumber_of(const WaveSettings& wave, double gravity) {
-  return wave.length > 0.0 ? kTurn / wave.length : wave_number(kTurn / wave.period, kInfiniteDepth, gravity);
+double wavenumber_of(const WaveSettings& wave, double gravity, double depth) {
+  return wave.length > 0.0 ? kTurn / wave.length : wave_number(kTurn / wave.period, depth, gravity);
 }
 
 /// rad/s
-double omega_of(const WaveSettings& wave, double gravity) {
-  return wave.period > 0.0 ? kTurn / wave.period : wave_frequency(kTurn / wave.length, kInfiniteDepth, gravity);
+double omega_of(const WaveSettings& wave, double gravity, double depth) {
+  return wave.period > 0.0 ? kTurn / wave.period : wave_frequency(kTurn / wave.length, depth, gravity);
 }
 
 }  // namespace
 
-WaveComponent wave_component(const WaveSettings& wave, double gravity) {
+WaveComponent wave_component(const WaveSettings& wave, double gravity, double depth) {
   WaveComponent component;
   component.amplitude = static_cast<float>(wave.amplitude);
-  component.wavenumber = static_cast<float>(wavenumber_of(wave, gravity));
-  component.omega = static_cast<float>(omega_of(wave, gravity));
+  component.wavenumber = static_cast<float>(wavenumber_of(wave, gravity, depth));
+  component.omega = static_cast<float>(omega_of(wave, gravity, depth));
   component.direction = static_cast<float>((90.0 - wave.to_deg) * kTurn / 360.0);
   component.phase = static_cast<float>(wave.phase_deg * kTurn / 360.0);
   return component;
 }
 
-std::vector<WaveComponent> wave_components(std::span<const WaveSettings> waves, double gravity) {
+std::vector<WaveComponent> wave_components(std::span<const WaveSettings> waves, double gravity, double depth) {
   std::vector<WaveComponent> components;
   components.reserve(waves.size());
-  for (const WaveSettings& wave : waves) components.push_back(wave_component(wave, gravity));
+  for (const WaveSettings& wave : waves) components.push_back(wave_component(wave, gravity, depth));
   return components;
 }
 
@@ -52,7 +52,7 @@ std::optional<Refusal> find_wave_refusal(std::span<const WaveSettings> waves, do
   constexpr double kSteepest = 0.5 * kTurn * kHighestSlenderness;  // amplitude times wave number
   double squares = 0.0;
   for (std::size_t i = 0; i < waves.size(); ++i) {
-    const double k = wavenumber_of(waves[i], gravity), steepness = waves[i].amplitude * k;
+    const double k = wavenumber_of(waves[i], gravity, kInfiniteDepth), steepness = waves[i].amplitude * k;
     if (steepness > kSteepest)
       return Refusal{
           fmt::format("wave[{}].amplitude", i),

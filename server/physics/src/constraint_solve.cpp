@@ -58,7 +58,9 @@ class Solver {
     const float factor = share * problem_.warm_factor;
     const bool warm = factor > 0.0F;
     start_pressure(pool_, {factor, kThinnest, problem_.gradients->alpha, problem_.source, memory}, count_, work_);
-    if (warm)
+    for (std::size_t k = 0; k < problem_.given.size(); ++k)
+      work_.pressure[problem_.held[k]] = work_.start[problem_.held[k]] = problem_.given[k];
+    if (warm || !problem_.given.empty())
       refresh();
     else
       start_residuals(nullptr);
@@ -116,6 +118,7 @@ class Solver {
     const PairData& data = *problem_.data;
     if (data.ghosts) extend_scalars(pool_, *data.ghosts, pressure);
     apply_pressure(pool_, data, *problem_.gradients, pressure, displacement);
+    for (const std::uint32_t i : problem_.held) displacement[i] = {};
     if (data.ghosts) extend_vectors(pool_, *data.ghosts, displacement);
     compute_rate(pool_, data, *problem_.gradients, displacement, false, rate);
     if (problem_.bodies) {

@@ -3,6 +3,7 @@
 
 #include "constraint_sources.hpp"
 #include "fluid_stages.hpp"
+#include "held_particles.hpp"
 #include "solid_planes.hpp"
 #include "vector_kernels.hpp"
 
@@ -42,12 +43,14 @@ void repair_positions(TaskPool& pool, FluidState& state, StepReport& report) {
 void refresh_corrections(TaskPool& pool, FluidState& state, StepReport& report) {
   find_solid_planes(pool, state);
   compute_corrections(pool, pair_data(state), state.particles.density, state.gradients, state.corrections);
+  leave_held_out(state);
   ++report.pair_passes;
 }
 
 void correct_gradients(TaskPool& pool, FluidState& state, StepReport& report) {
   compute_corrected_gradients(pool, pair_data(state), state.corrections, state.gradients);
   ++report.pair_passes;
+  leave_held_out(state);
   meet_bodies(pool, state);
 }
 
@@ -57,7 +60,8 @@ void solve_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& re
   rate_of_density(pool, state, report);
   set_divergence_and_excess(pool, static_cast<float>(dt), kCompressionAllowed, kCompressionShare,
                             of_particles(state, p.density), state.source);
-  const ConstraintProblem problem = make_problem(state, data, warm_factor(state, dt), BodiesIn::kAnswer);
+  ConstraintProblem problem = make_problem(state, data, warm_factor(state, dt), BodiesIn::kAnswer);
+  problem.given = held_pressures(state, dt);
   report.divergence = solve_constraint(pool, problem, state.parameters.divergence, p.divergence_pressure, state.work,
                                        report.pair_passes);
   apply_correction(pool, state, {false, dt});
@@ -77,6 +81,7 @@ void filter_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& r
   report.pair_passes += 2;
   const double rate = q.filter * std::sqrt(scale_gravity(q.gravity) / q.spacing);
   const auto factor = static_cast<float>(std::min(dt * rate, kLargestFilterStep));
+  keep_held_velocities(state);
   add_scaled_vectors(pool, factor, of_particles(state, state.filter_change.all), p.velocity);
   give_filter_to_bodies(pool, state, factor);
 }
@@ -87,6 +92,7 @@ void advance_corrected(TaskPool& pool, FluidState& state, double dt, Clock clock
   run_stage(report, clock, Stage::kPredict, [&] {
     drift(pool, state, dt);
     accelerate(pool, state, dt);
+    place_held(state);
     push_out_of_solids(pool, state);
     wrap(pool, state);
   });

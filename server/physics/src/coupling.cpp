@@ -5,6 +5,7 @@
 
 #include "fluid_stages.hpp"
 #include "physics/kernel.hpp"
+#include "solid_planes.hpp"
 
 namespace pelagos {
 
@@ -31,8 +32,7 @@ class ContactCollector {
     const std::size_t before = out_.size();
     const SolidPlanes& planes = state_.solid_planes;
     for (std::size_t slot = 0; slot < SolidPlanes::kSlots; ++slot) {
-      const std::int32_t solid = planes.solid[slot][i];
-      const std::int32_t body = solid < 0 ? -1 : state_.solids[static_cast<std::size_t>(solid)].body;
+      const std::int32_t body = body_in_slot(state_, slot, i);
       if (body < 0) continue;
       const Float4 &wall = state_.gradients.solid_wall[slot][i], &plane = planes.plane[slot][i];
       const Eigen::Vector3f x = vector_of(planes.position[i]), normal = vector_of(plane), gradient = vector_of(wall);

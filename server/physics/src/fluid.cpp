@@ -48,12 +48,13 @@ void place_patch_walls(TaskPool& pool, FluidState& state) {
   sort_static_walls(pool, state, sample_patch_walls(pool, q.patch, q.edges, q.spacing, q.support_radius));
 }
 
-/// The patch and one support radius around it.
+/// The patch and one support radius around it, more across open edges, where waves carry the water farther out.
 Region grid_region(const FluidParameters& parameters) {
   Region region = parameters.patch;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    region.min[axis] -= static_cast<float>(parameters.support_radius);
-    region.max[axis] += static_cast<float>(parameters.support_radius);
+    const double around = parameters.edges[axis] == Edge::kOpen ? 4.0 : 1.0;
+    region.min[axis] -= static_cast<float>(around * parameters.support_radius);
+    region.max[axis] += static_cast<float>(around * parameters.support_radius);
   }
   return region;
 }
@@ -156,7 +157,7 @@ void start_phase_acceleration(TaskPool& pool, FluidState& state, StepReport& rep
 
 void start_acceleration(TaskPool& pool, FluidState& state, StepReport& report) {
   const FluidParameters& q = state.parameters;
-  if (!state.density_present && !state.solids.empty()) refresh_density(pool, state, report);
+  if (!state.density_present && meets_surfaces(state)) refresh_density(pool, state, report);
   if (state.oil_count > 0) {
     start_phase_acceleration(pool, state, report);
     return;

@@ -29,7 +29,7 @@ PairData pair_data(const FluidState& state) {
   data.volume = static_cast<float>(state.parameters.volume());
   data.spacing = static_cast<float>(state.parameters.spacing);
   data.phases = state.oil_count > 0 ? &state.phases : nullptr;
-  data.solids = state.solids.empty() ? nullptr : &state.solid_planes;
+  data.solids = meets_surfaces(state) ? &state.solid_planes : nullptr;
   return data;
 }
 
@@ -65,6 +65,8 @@ void sort_particles(TaskPool& pool, FluidState& state) {
   if (state.parameters.scheme == Scheme::kCorrected)  // the others start this solve cold
     permute(pool, state.order, p.divergence_pressure, state.sorted_scalar);
   permute(pool, state.order, p.id, state.sorted_id);
+  if (!p.label.empty()) permute(pool, state.order, p.label, state.sorted_record);
+  find_held(state);
   mark_phases(pool, state);
   if (!has_ghosts(state.parameters.edges)) return;
   make_ghosts(pool, state.parameters.patch, state.parameters.edges, static_cast<float>(state.parameters.support_radius),
@@ -124,6 +126,7 @@ float warm_factor(const FluidState& state, double dt) {
 
 ConstraintProblem make_problem(const FluidState& state, const PairData& data, float warm_factor, BodiesIn bodies) {
   ConstraintProblem problem{&data, &state.gradients, state.source, warm_factor};
+  problem.held = state.held.rows;
   const std::vector<CoupledBody>& all = state.coupling.bodies;
   const bool any = std::any_of(all.begin(), all.end(), [](const CoupledBody& body) { return body.answers(); });
   if (bodies == BodiesIn::kHold || !any || state.coupling.contacts.empty()) return problem;
@@ -162,6 +165,7 @@ void rate_of_density(TaskPool& pool, FluidState& state, StepReport& report) {
   extend_velocities(pool, state);
   compute_rate(pool, data, state.gradients, state.particles.velocity, data.walls_move, state.source);
   add_body_velocities(state.coupling, state.source);
+  add_floor_speeds(pool, state, state.source);
   ++report.pair_passes;
 }
 

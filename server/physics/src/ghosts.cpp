@@ -19,9 +19,11 @@ struct AxisImages {
   std::size_t count = 1;
 };
 
+bool has_images(Edge edge) { return edge == Edge::kMirror || edge == Edge::kPeriodic; }
+
 AxisImages images_across(const Region& patch, Edge edge, std::size_t axis, float reach, float x) {
   AxisImages images;
-  if (edge == Edge::kWall) return images;
+  if (!has_images(edge)) return images;
   const float low = patch.min[axis], high = patch.max[axis];
   const auto add = [&](AxisImage image) { images.image[images.count++] = image; };
   if (x < low + reach) add(edge == Edge::kMirror ? AxisImage{-1.0F, 2.0F * low} : AxisImage{1.0F, high - low});
@@ -55,7 +57,7 @@ struct Inside {
   Inside(const Region& patch, const std::array<Edge, 3>& edges, float reach) {
     constexpr float kAnywhere = std::numeric_limits<float>::infinity();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const bool images = edges[axis] != Edge::kWall;
+      const bool images = has_images(edges[axis]);
       low[axis] = images ? patch.min[axis] + reach : -kAnywhere;
       high[axis] = images ? patch.max[axis] - reach : kAnywhere;
     }
@@ -100,15 +102,13 @@ void for_each_ghost(TaskPool& pool, const Ghosts& ghosts, F&& f) {
 
 }  // namespace
 
-bool has_ghosts(const std::array<Edge, 3>& edges) {
-  return edges[0] != Edge::kWall || edges[1] != Edge::kWall || edges[2] != Edge::kWall;
-}
+bool has_ghosts(const std::array<Edge, 3>& edges) { return std::any_of(edges.begin(), edges.end(), has_images); }
 
 void wrap_particles(TaskPool& pool, const Region& patch, const std::array<Edge, 3>& edges, std::size_t count,
                     std::span<Float4> position, std::span<Float4> velocity) {
   pool.for_each_range(count, kPointBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (edges[axis] == Edge::kWall) continue;
+      if (!has_images(edges[axis])) continue;
       const float low = patch.min[axis], high = patch.max[axis], period = high - low;
       for (std::size_t i = begin; i < end; ++i) {
         float& x = coordinate(position[i], axis);

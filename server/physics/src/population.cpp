@@ -37,8 +37,9 @@ void keep_only(std::span<const std::uint32_t> kept, T padding, std::vector<T>& v
 }  // namespace
 
 void add_particles(FluidState& state, std::span<const Float4> positions, std::span<const Float4> velocities,
-                   std::uint8_t phase) {
+                   std::uint8_t phase, std::span<const Float4> labels) {
   assert(velocities.size() == positions.size());
+  assert(labels.size() == (state.particles.label.empty() ? 0 : positions.size()));
   assert(phase == kWaterPhase || state.parameters.oil);
   if (positions.empty()) return;
   FluidParticles& p = state.particles;
@@ -52,6 +53,10 @@ void add_particles(FluidState& state, std::span<const Float4> positions, std::sp
   extend_to(p.divergence_pressure, first, count, 0.0F, 0.0F);
   extend_to(p.id, first, count, 0U, 0U);
   if (state.parameters.oil) extend_to(p.phase, first, count, phase, kWaterPhase);
+  if (!labels.empty()) {
+    extend_to(p.label, first, count, Float4{}, Float4{});
+    std::copy(labels.begin(), labels.end(), p.label.begin() + static_cast<std::ptrdiff_t>(first));
+  }
   for (std::size_t k = 0; k < positions.size(); ++k) {
     p.position[first + k] = {positions[k].x, positions[k].y, positions[k].z, 0.0F};
     p.velocity[first + k] = {velocities[k].x, velocities[k].y, velocities[k].z, 0.0F};
@@ -77,6 +82,7 @@ std::size_t remove_particles(TaskPool& pool, FluidState& state, const std::funct
     keep_only(kept, 0.0F, *values);
   keep_only(kept, 0U, p.id);
   if (!p.phase.empty()) keep_only(kept, kWaterPhase, p.phase);
+  if (!p.label.empty()) keep_only(kept, Float4{}, p.label);
   p.count = kept.size();
   forget_step(state);
   return removed;
@@ -86,6 +92,7 @@ void restore_water(FluidState& state, const WaterState& water) {
   static_cast<WaterState&>(state) = water;
   forget_step(state);
   state.coupling.contacts.clear();
+  find_held(state);
 }
 
 }  // namespace pelagos

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "fluid_stages.hpp"
+#include "held_particles.hpp"
 
 namespace pelagos {
 
@@ -15,6 +16,7 @@ void settle_fluid(TaskPool& pool, FluidState& state, int steps) {
   StepReport report;
   for (int step = 0; step < steps; ++step) {
     refresh_neighbors(pool, state, report);
+    leave_held_out(state);
     solve_density(pool, state, 0.0F, BodiesIn::kHold, report);
     apply_correction(pool, state, {true, 0.0});
   }

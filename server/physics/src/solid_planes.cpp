@@ -38,24 +38,36 @@ Eigen::AlignedBox3f box_of(const Solid& solid) {
   return box;
 }
 
-/// The solids of a step with the boxes around their fields and a slot for each.
+/// Where a floor may be in reach: everywhere below its highest node.
+Eigen::AlignedBox3f box_of(const Floor& floor, float reach) {
+  constexpr float kAnywhere = 1e9F;
+  float top = -kAnywhere;
+  for (const Float4& node : floor.nodes) top = std::max(top, node.x);
+  // A plane may stand higher beside the nodes than on them, and reaches farther up where it is steep.
+  const float above = 2.0F * reach + floor.cell;
+  return {Eigen::Vector3f::Constant(-kAnywhere), Eigen::Vector3f(kAnywhere, kAnywhere, top + above)};
+}
+
+/// The solids of a step, the floor after them, with the boxes around their fields and a slot for each.
 class SolidScene {
  public:
-  SolidScene(const FluidState& state, float reach) : solids_(state.solids), reach_(reach) {
+  SolidScene(const FluidState& state, float reach) : solids_(state.solids), floor_(state.floor), reach_(reach) {
     for (const Solid& solid : solids_) boxes_.push_back(box_of(solid));
-    for (std::size_t k = 0; k < solids_.size(); ++k) slots_.push_back(free_slot(k));
+    if (!floor_.empty()) boxes_.push_back(box_of(floor_, reach));
+    for (std::size_t k = 0; k < boxes_.size(); ++k) slots_.push_back(free_slot(k));
   }
 
   /// Calls f(solid, slot) for the solids whose fields some place in the box may be in.
   template <class F>
   void for_each_near(const Eigen::AlignedBox3f& box, F&& f) const {
-    for (std::size_t k = 0; k < solids_.size(); ++k)
+    for (std::size_t k = 0; k < boxes_.size(); ++k)
       if (boxes_[k].intersects(box)) f(k, slots_[k]);
   }
 
   /// Normal (local axes) and distance of a solid's surface, if it is in reach.
   [[nodiscard]] std::optional<Float4> surface(std::size_t k, const Eigen::Vector3f& x) const {
     if (!boxes_[k].contains(x)) return std::nullopt;
+    if (k == solids_.size()) return floor_surface(x);
     const Solid& solid = solids_[k];
     const Eigen::Vector3f at = solid.turn.transpose() * (x - solid.place);
     const std::optional<Float4> found = solid.field->at(at.x(), at.y(), at.z(), reach_);
@@ -65,6 +77,12 @@ class SolidScene {
   }
 
  private:
+  [[nodiscard]] std::optional<Float4> floor_surface(const Eigen::Vector3f& x) const {
+    const Float4 surface = floor_plane(floor_, {x.x(), x.y(), x.z(), 0.0F}).surface;
+    if (surface.w >= reach_) return std::nullopt;
+    return surface;
+  }
+
   /// The first slot that no solid before has which some pair of particles could have in reach as well; else the last.
   [[nodiscard]] std::size_t free_slot(std::size_t k) const {
     Eigen::AlignedBox3f around = boxes_[k];
@@ -77,6 +95,7 @@ class SolidScene {
   }
 
   const std::vector<Solid>& solids_;
+  const Floor& floor_;
   float reach_;
   std::vector<Eigen::AlignedBox3f> boxes_;
   std::vector<std::size_t> slots_;
@@ -188,10 +207,13 @@ void extend_planes(TaskPool& pool, const FluidState& state, SolidPlanes& planes)
   });
 }
 
-/// The body whose surface a particle has in a slot, or -1.
-std::int32_t body_in_slot(const FluidState& state, std::size_t slot, std::size_t i) {
-  const std::int32_t solid = state.solid_planes.solid[slot][i];
-  return solid < 0 ? -1 : state.solids[static_cast<std::size_t>(solid)].body;
+/// The body of a surface, or -1; the floor comes after the solids.
+std::int32_t body_of(const FluidState& state, std::size_t surface) {
+  return surface < state.solids.size() ? state.solids[surface].body : -1;
+}
+
+bool floor_in_slot(const FluidState& state, std::size_t slot, std::size_t i) {
+  return !state.floor.empty() && state.solid_planes.solid[slot][i] == static_cast<std::int32_t>(state.solids.size());
 }
 
 Eigen::Vector3f velocity_at(const CoupledBody& body, const Eigen::Vector3f& x) {
@@ -209,21 +231,23 @@ struct BodyPush {
 };
 
 /// Puts one particle back and books what that gave the body.
-void put_back(const FluidState& state, const Solid& solid, const Float4& surface, Float4& position, Float4& velocity,
+void put_back(const FluidState& state, std::size_t solid, const Float4& surface, Float4& position, Float4& velocity,
               std::vector<BodyPush>& pushes) {
+  const std::int32_t owner = body_of(state, solid);
   const Eigen::Vector3f normal = vector_of(surface), x = vector_of(position), foot = x - surface.w * normal;
   const Eigen::Vector3f out = foot + std::min(-surface.w, 0.5F * static_cast<float>(state.parameters.spacing)) * normal;
-  position.x = out.x(), position.y = out.y(), position.z = out.z();
   Eigen::Vector3f of_surface = Eigen::Vector3f::Zero();
-  if (solid.body >= 0) of_surface = velocity_at(state.coupling.bodies[static_cast<std::size_t>(solid.body)], foot);
+  if (owner >= 0) of_surface = velocity_at(state.coupling.bodies[static_cast<std::size_t>(owner)], foot);
+  if (solid == state.solids.size()) of_surface = floor_plane(state.floor, position).speed * normal;
+  position.x = out.x(), position.y = out.y(), position.z = out.z();
   const float approach = normal.dot(vector_of(velocity) - of_surface);
   if (!(approach < 0.0F)) return;
   const Eigen::Vector3f change = -2.0F * approach * normal;
   velocity.x += change.x(), velocity.y += change.y(), velocity.z += change.z();
-  if (solid.body < 0) return;
-  const CoupledBody& body = state.coupling.bodies[static_cast<std::size_t>(solid.body)];
+  if (owner < 0) return;
+  const CoupledBody& body = state.coupling.bodies[static_cast<std::size_t>(owner)];
   const double mass = state.parameters.rest_density * state.parameters.volume();
-  pushes[static_cast<std::size_t>(solid.body)].add(-mass * change.cast<double>(), foot.cast<double>() - body.centre);
+  pushes[static_cast<std::size_t>(owner)].add(-mass * change.cast<double>(), foot.cast<double>() - body.centre);
 }
 
 void take_pushes(const std::vector<BodyPush>& pushes, std::vector<CoupledBody>& bodies) {
@@ -239,7 +263,7 @@ void take_pushes(const std::vector<BodyPush>& pushes, std::vector<CoupledBody>& 
 }  // namespace
 
 void find_solid_planes(TaskPool& pool, FluidState& state) {
-  if (state.solids.empty()) return;
+  if (!meets_surfaces(state)) return;
   SolidPlanes& planes = state.solid_planes;
   forget_planes(state.particles.count, planes);
   resize_planes(state, planes);
@@ -252,17 +276,35 @@ void find_solid_planes(TaskPool& pool, FluidState& state) {
   refresh_solid_speeds(pool, state);
 }
 
+std::int32_t body_in_slot(const FluidState& state, std::size_t slot, std::size_t i) {
+  const std::int32_t solid = state.solid_planes.solid[slot][i];
+  return solid < 0 ? -1 : body_of(state, static_cast<std::size_t>(solid));
+}
+
+void add_floor_speeds(TaskPool& pool, const FluidState& state, std::span<float> rate) {
+  if (state.floor.empty()) return;
+  const SolidPlanes& planes = state.solid_planes;
+  for_each_entry(pool, state.particles.count, [&](std::size_t i) {
+    if (planes.group[i / kLanes] == 0) return;
+    for (std::size_t slot = 0; slot < SolidPlanes::kSlots; ++slot) {
+      if (!floor_in_slot(state, slot, i)) continue;
+      const Eigen::Vector3f normal = vector_of(planes.plane[slot][i]);
+      rate[i] -= planes.speed[slot][i] * normal.dot(vector_of(state.gradients.solid_wall[slot][i]));
+    }
+  });
+}
+
 void refresh_solid_speeds(TaskPool& pool, FluidState& state) {
-  if (state.solids.empty()) return;
+  if (!meets_surfaces(state)) return;
   SolidPlanes& planes = state.solid_planes;
   for_each_entry(pool, state.particles.count, [&](std::size_t i) {
     if (planes.group[i / kLanes] == 0) return;
     for (std::size_t slot = 0; slot < SolidPlanes::kSlots; ++slot) {
       const std::int32_t body = body_in_slot(state, slot, i);
       float& speed = planes.speed[slot][i];
-      speed = 0.0F;
-      if (body < 0) continue;
       const Float4 &plane = planes.plane[slot][i], &x = planes.position[i];
+      speed = floor_in_slot(state, slot, i) ? floor_plane(state.floor, x).speed : 0.0F;
+      if (body < 0) continue;
       const Eigen::Vector3f normal = vector_of(plane), foot = vector_of(x) - distance(plane, x) * normal;
       speed = normal.dot(velocity_at(state.coupling.bodies[static_cast<std::size_t>(body)], foot));
     }
@@ -293,7 +335,7 @@ void give_filter_to_bodies(TaskPool& pool, FluidState& state, float factor) {
 }
 
 void push_out_of_solids(TaskPool& pool, FluidState& state) {
-  if (state.solids.empty()) return;
+  if (!meets_surfaces(state)) return;
   FluidParticles& p = state.particles;
   const SolidScene scene(state, 0.0F);
   const std::size_t bodies = state.coupling.bodies.size();
@@ -304,7 +346,7 @@ void push_out_of_solids(TaskPool& pool, FluidState& state) {
       pushes.resize(bodies);
       for (std::size_t i = begin; i < end; ++i)
         if (const auto inside = scene.surface(k, vector_of(p.position[i])))
-          put_back(state, state.solids[k], *inside, p.position[i], p.velocity[i], pushes);
+          put_back(state, k, *inside, p.position[i], p.velocity[i], pushes);
     });
   });
   for (const std::vector<BodyPush>& pushes : parts) take_pushes(pushes, state.coupling.bodies);

@@ -31,7 +31,7 @@ SolveSums judge_impl(std::size_t begin, std::size_t end, const SolveArrays& a) {
   for (std::size_t i = begin; i < end; ++i) {
     const bool pressed = p[i] > 0.0F;
     const float positive = r[i] > 0.0F ? r[i] : 0.0F;
-    error += pressed ? std::fabs(r[i]) : positive;
+    error += alpha[i] > 0.0F ? (pressed ? std::fabs(r[i]) : positive) : 0.0F;
     const float z = pressed ? alpha[i] * r[i] : alpha[i] * positive;
     z_image += z * q[i];
   }

@@ -56,6 +56,8 @@ PatchEdge read_edge(const FieldReader& reader, const char* axis) {
       return PatchEdge::kMirror;
     case proto::v1::PatchEdges::PERIODIC:
       return PatchEdge::kPeriodic;
+    case proto::v1::PatchEdges::OPEN:
+      return PatchEdge::kOpen;
     default:
       return PatchEdge::kWall;
   }
@@ -63,18 +65,22 @@ PatchEdge read_edge(const FieldReader& reader, const char* axis) {
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
-/// A periodic side must hold a whole number of spacings, or the lattice would not meet itself.
+const char* name_of(PatchEdge edge) { return edge == PatchEdge::kPeriodic ? "PERIODIC" : "OPEN"; }
+
+/// A periodic side must hold a whole number of spacings, or the lattice would not meet itself; an open one moves by
+/// whole spacings.
 PatchEdges read_edges(const FieldReader& reader, const Basis& basis, const std::optional<Box>& patch) {
   PatchEdges edges = kWallsAround;
   if (!reader.has("patch_edges")) return edges;
   const FieldReader entry = reader.child("patch_edges");
   for (std::size_t axis = 0; axis < 3; ++axis) {
     edges[axis] = read_edge(entry, kAxes[axis]);
-    if (edges[axis] != PatchEdge::kPeriodic || !patch || !basis.spacing) continue;
+    const bool whole = edges[axis] == PatchEdge::kPeriodic || edges[axis] == PatchEdge::kOpen;
+    if (!whole || !patch || !basis.spacing) continue;
     const double side = patch->size()[static_cast<int>(axis)], count = side / *basis.spacing;
     if (std::fabs(count - std::round(count)) <= 1e-6) continue;
-    entry.fault(kAxes[axis], "is PERIODIC, but the patch's side of " + format_number(side) +
-                                 " m is no whole number of spacings; nearest allowed: " +
+    entry.fault(kAxes[axis], std::string("is ") + name_of(edges[axis]) + ", but the patch's side of " +
+                                 format_number(side) + " m is no whole number of spacings; nearest allowed: " +
                                  format_number(std::floor(count) * *basis.spacing) + " or " +
                                  format_number(std::ceil(count) * *basis.spacing) + " m");
   }
@@ -245,6 +251,7 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
   for (const ProbeSettings& probe : scene.probes) around.probes.push_back(probe.id);
   scene.events = validate_events(reader, around);
   read_far_sea(reader, command_surroundings(scene).gravity, scene.far_sea);
+  if (patch && basis.spacing) validate_open_sea(reader, scene);
   read_origin(reader, scene.origin);
   read_surface(reader, basis, scene.surface);
   return scene;

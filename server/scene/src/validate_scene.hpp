@@ -75,6 +75,9 @@ struct EventSurroundings {
 /// The `event` entries, in their order; each builds on the scene and the events before its time.
 [[nodiscard]] std::vector<SceneEvent> validate_events(const FieldReader& scene_reader, const EventSurroundings& around);
 
+/// The `open_sea` entry, and what open edges ask of the rest of the scene, which must be read already.
+void validate_open_sea(const FieldReader& scene_reader, Scene& scene);
+
 /// The `solver` entry.
 [[nodiscard]] SolverSettings validate_solver(const FieldReader& scene_reader);
 /// The `time_step` entry; also whether there is a time scale at all.

@@ -48,6 +48,8 @@ Edge edge_of(PatchEdge edge) {
       return Edge::kMirror;
     case PatchEdge::kPeriodic:
       return Edge::kPeriodic;
+    case PatchEdge::kOpen:
+      return Edge::kOpen;
   }
   return Edge::kWall;
 }
@@ -69,6 +71,10 @@ PhaseParameters phase_parameters(const OilProperties& oil, double water_viscosit
   return {oil.density, std::max(oil.viscosity, oil.density * water_viscosity)};
 }
 
+bool is_in_hull(const Bodies& bodies, const Eigen::Vector3d& x, double spacing) {
+  return !bodies.empty() && (bodies.covers(x, kHullClearance * spacing) || bodies.keeps_dry(x));
+}
+
 /// Adds the local positions of a block's particles, those inside hulls left out.
 void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, const PatchFrame& frame,
                 std::vector<Float4>& positions) {
@@ -82,7 +88,7 @@ void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, cons
       for (std::int64_t i = 0; i < counts[0]; ++i) {
         const Eigen::Vector3d x =
             first + d * Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
-        if (!bodies.empty() && (bodies.covers(x, kHullClearance * d) || bodies.keeps_dry(x))) continue;
+        if (is_in_hull(bodies, x, d)) continue;
         const Eigen::Vector3f local = frame.to_local(x).cast<float>();
         positions.push_back({local.x(), local.y(), local.z(), 0.0F});
       }
@@ -105,6 +111,7 @@ FluidParameters fluid_parameters(const Scene& scene, const PatchFrame& frame) {
     p.patch.max[axis] = static_cast<float>(box.max[axis]);
   }
   for (std::size_t axis = 0; axis < 3; ++axis) p.edges[axis] = edge_of(water_edges(scene)[axis]);
+  if (is_open(scene.patch_edges)) p.edges[2] = Edge::kOpen;  // the floor is FluidState::floor
   apply_solver(scene.solver, p);
   p.filter *= depth_measures(p.scheme, depth_in_spacings(scene)).filter_factor;
   return p;
@@ -130,6 +137,21 @@ StartingParticles place_blocks(const Scene& scene, const Bodies& bodies, const P
   start.phase.assign(start.position.size(), kWaterPhase);
   for (const Box& block : scene.oil->blocks) fill_block(scene, block, bodies, frame, start.position);
   start.phase.resize(start.position.size(), kOilPhase);
+  return start;
+}
+
+StartingParticles place_open_sea(const OpenSeaWater& water, double spacing, const Bodies& bodies,
+                                 const PatchFrame& frame) {
+  StartingParticles start;
+  for (std::size_t i = 0; i < water.position.size(); ++i) {
+    const Float4& local = water.position[i];
+    const Eigen::Vector3d x =
+        frame.to_world(Eigen::Vector3d(Eigen::Vector3f(local.x, local.y, local.z).cast<double>()));
+    if (is_in_hull(bodies, x, spacing)) continue;
+    start.position.push_back(local);
+    start.velocity.push_back(water.velocity[i]);
+    start.label.push_back(water.label[i]);
+  }
   return start;
 }
 

@@ -26,7 +26,8 @@ constexpr int kMostFaults = 3;
 
 constexpr std::size_t kMostNotes = 32;  ///< about the start
 
-constexpr int kSettleChunk = 10;  ///< steps between reports of progress
+constexpr std::uint64_t kRenewalSteps = 32;  ///< between renewals of open edges
+constexpr int kSettleChunk = 10;             ///< steps between reports of progress
 
 Bodies make_bodies(TaskPool& pool, const Scene& scene) {
   std::vector<std::string> faults;
@@ -37,15 +38,52 @@ Bodies make_bodies(TaskPool& pool, const Scene& scene) {
   throw std::invalid_argument(text);
 }
 
-FluidState make_start(TaskPool& pool, const Scene& scene, const Bodies& bodies, const PatchFrame& frame) {
-  const StartingParticles start = place_blocks(scene, bodies, frame);
-  return make_fluid(pool, fluid_parameters(scene, frame), start.position, start.phase);
-}
-
 WaveField make_sea(const Scene& scene, double gravity, double water_level) {
   const FarSeaSettings& sea = scene.far_sea;
-  if (!sea.waves.empty()) return {wave_components(sea.waves, gravity), water_level};
-  return {make_wave_components({sea.beaufort, sea.wave_to_deg, sea.components, scene.seed, gravity}), water_level};
+  const double depth = sea_depth(scene);
+  if (!sea.waves.empty()) return {wave_components(sea.waves, gravity, depth), water_level, depth};
+  return {make_wave_components({sea.beaufort, sea.wave_to_deg, sea.components, scene.seed, gravity}), water_level,
+          depth};
+}
+
+std::optional<OpenSea> make_open_sea(const Scene& scene, const PatchFrame& frame) {
+  const std::optional<OpenSeaShape> shape = open_sea_shape(scene, frame);
+  return shape ? std::optional<OpenSea>(std::in_place, *shape) : std::nullopt;
+}
+
+StartingParticles place_water(TaskPool& pool, const Scene& scene, const Bodies& bodies, const PatchFrame& frame,
+                              const std::optional<OpenSea>& open) {
+  if (!open) return place_blocks(scene, bodies, frame);
+  const WaveField sea = make_sea(scene, scale_gravity(scene.gravity), frame.world_height(open->shape().level));
+  return place_open_sea(open->fill(pool, sea, frame.origin.head<2>(), 0.0, largest_time_step(scene)),
+                        scene.particle_spacing, bodies, frame);
+}
+
+FluidState make_start(TaskPool& pool, const Scene& scene, const Bodies& bodies, const PatchFrame& frame,
+                      const std::optional<OpenSea>& open) {
+  StartingParticles start = place_water(pool, scene, bodies, frame, open);
+  FluidState fluid = make_fluid(pool, fluid_parameters(scene, frame), start.position, start.phase);
+  std::copy(start.velocity.begin(), start.velocity.end(), fluid.particles.velocity.begin());
+  if (open) {
+    fluid.particles.label = start.label;
+    fluid.particles.label.resize(padded_count(fluid.particles.count));
+    find_held(fluid);
+  }
+  return fluid;
+}
+
+double start_level(TaskPool& pool, const Scene& scene, const Bodies& bodies, const FluidState& fluid,
+                   const PatchFrame& frame, const std::optional<OpenSea>& open) {
+  if (open) return frame.world_height(open->shape().level);
+  return rest_level(pool, scene, bodies, std::span(fluid.particles.position).first(fluid.particles.count), frame);
+}
+
+/// Open edges blend into the sea around them; walls part the two.
+PatchBlend blend_of(const std::optional<OpenSea>& open) {
+  if (!open) return {};
+  const Region& patch = open->shape().patch;
+  return rim_blend(open->shape().spacing,
+                   static_cast<double>(std::min(patch.max[0] - patch.min[0], patch.max[1] - patch.min[1])));
 }
 
 SurfaceInput surface_input(const FluidState& fluid, double time) {
@@ -73,11 +111,12 @@ World::World(const Scene& scene, const WorldOptions& options)
       frame_(patch_frame(scene)),
       clock_(scene.frame_interval),
       bodies_(make_bodies(*pool_, scene)),
-      fluid_(make_start(*pool_, scene, bodies_, frame_)),
-      water_level_(rest_level(*pool_, scene, bodies_,
-                              std::span(fluid_.particles.position).first(fluid_.particles.count), frame_)),
+      open_sea_(make_open_sea(scene, frame_)),
+      fluid_(make_start(*pool_, scene, bodies_, frame_, open_sea_)),
+      free_particles_(fluid_.particles.count - fluid_.held.rows.size()),
+      water_level_(start_level(*pool_, scene, bodies_, fluid_, frame_, open_sea_)),
       sea_(make_sea(scene, around_.gravity, water_level_)),
-      water_surface_(*pool_, {frame_, fluid_.parameters.patch, {}}),
+      water_surface_(*pool_, {frame_, fluid_.parameters.patch, blend_of(open_sea_)}),
       drive_(scene, frame_, water_level_, fluid_.particles.count),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
       max_step_(largest_time_step(scene)) {
@@ -143,6 +182,7 @@ void World::settle() {
 WorldStep World::advance(const StepInputs& inputs) {
   WorldStep step;
   step.outcomes = take(inputs);
+  renew_edges();
   const double dt = choose_step();
   step.report = step_water(*pool_, fluid_, dt, options_.clock, step_parts(clock_.time(), dt));
   ++step_;
@@ -161,12 +201,12 @@ WorldStep World::advance(const StepInputs& inputs) {
 /// What acts on the water in the step from `now` on beside its own pressure; nothing for what the scene has not.
 WaterStepParts World::step_parts(double now, double dt) {
   WaterStepParts parts;
-  if (!bodies_.empty()) {
-    parts.place_bodies = [this, now, dt](StepReport& report) {
-      const StageScope scope(report.times, options_.clock, Stage::kBodies);
-      bodies_.advance(now, dt, frame_, fluid_);
-    };
-  }
+  parts.place_bodies = [this, now, dt](StepReport& report) {
+    give_edges(now, dt, report);
+    if (bodies_.empty()) return;
+    const StageScope scope(report.times, options_.clock, Stage::kBodies);
+    bodies_.advance(now, dt, frame_, fluid_);
+  };
   parts.receive_bodies = [this, now, dt](StepReport& report) {
     water_surface_.forget();
     if (bodies_.empty()) return;
@@ -175,11 +215,30 @@ WaterStepParts World::step_parts(double now, double dt) {
     bodies_.receive(dt, fluid_);
   };
   parts.add_forces = [this, now, dt](StepReport& report) {
+    draw_edges(now, dt, report);
     blow(now + dt, report);
     drive_current(now + dt, report);
     advance_oil(dt, now + dt, report);
   };
   return parts;
+}
+
+void World::give_edges(double now, double dt, StepReport& report) {
+  if (!open_sea_) return;
+  const StageScope scope(report.times, options_.clock, Stage::kEdges);
+  open_sea_->give(*pool_, sea_, frame_.origin.head<2>(), now, dt, fluid_);
+}
+
+void World::draw_edges(double now, double dt, StepReport& report) {
+  if (!open_sea_) return;
+  const StageScope scope(report.times, options_.clock, Stage::kEdges);
+  open_sea_->draw(*pool_, sea_, frame_.origin.head<2>(), now + dt, dt, fluid_);
+}
+
+void World::renew_edges() {
+  if (!open_sea_ || step_ % kRenewalSteps != 0 || step_ == 0) return;
+  const Renewal renewal = open_sea_->renew(*pool_, free_particles_, fluid_);
+  if (renewal.deleted > 0) water_surface_.forget();
 }
 
 void World::blow(double time, StepReport& report) {
@@ -267,7 +326,8 @@ WorldState World::state() const {
 
 bool World::accepts(const WorldState& state) const {
   return state.sea.sound() && state.oil.has_value() == spill_.has_value() && bodies_.accepts(state.bodies) &&
-         state.water.particles.phase.empty() == fluid_.particles.phase.empty();
+         state.water.particles.phase.empty() == fluid_.particles.phase.empty() &&
+         state.water.particles.label.empty() == fluid_.particles.label.empty();
 }
 
 void World::restore(const WorldState& state) {
@@ -299,6 +359,7 @@ std::uint64_t World::scene_hash() const {
                  fluid_.parameters.viscosity, fluid_.parameters.filter, fluid_.parameters.rest_density});
   add(fluid_.parameters.scheme);
   add(scene_.patch_edges);
+  add(std::array{scene_.open_sea.zone_width, scene_.open_sea.depth});
   add(scene_.patch.min);
   add(scene_.patch.max);
   add(std::vector(fluid_.walls.position.begin(),

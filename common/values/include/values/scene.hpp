@@ -35,6 +35,7 @@ enum class PatchEdge {
   kWall,      ///< bodies stop there. The corrected solver's water meets a mirror, that of the others boundary samples
   kMirror,    ///< a smooth plane: the water beyond is the mirror image
   kPeriodic,  ///< what leaves through one face enters through the other
+  kOpen,      ///< the sea goes on: waves of the wave field run in and out. Across x and y; the floor then gives way too
 };
 
 /// For the axes x, y, z.
@@ -197,6 +198,12 @@ struct FarSeaSettings {
   std::vector<WaveSettings> waves = {};  ///< in place of the three above; none: by them
 };
 
+/// How a patch with open edges goes over into the sea around it.
+struct OpenSeaSettings {
+  double zone_width = 0.0;  ///< m, in which the water is drawn to the wave field; 0: 15 spacings
+  double depth = 0.0;       ///< m, of the sea; 0: deeper than any wave reaches
+};
+
 /// World origin on the WGS84 ellipsoid, degrees and metres.
 struct GeodeticOrigin {
   double latitude_deg = 0.0;
@@ -218,6 +225,7 @@ struct Scene {
   double gravity = kStandardGravity;  ///< m/s^2, along -z; 0 allowed
   Box patch;                          ///< in which water is simulated
   PatchEdges patch_edges = kWallsAround;
+  OpenSeaSettings open_sea;  ///< where edges are open
   bool tank_walls_visible = false;
   FluidSettings water;
   std::optional<OilSettings> oil;
@@ -235,5 +243,10 @@ struct Scene {
   SurfaceSettings surface;
   double frame_interval = 1.0 / 30.0;  ///< s
 };
+
+/// Whether the patch is a part of an open sea.
+[[nodiscard]] inline bool is_open(const PatchEdges& edges) {
+  return edges[0] == PatchEdge::kOpen || edges[1] == PatchEdge::kOpen;
+}
 
 }  // namespace pelagos

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "values/refusal.hpp"
+#include "waves/dispersion.hpp"
 #include "waves/wave_components.hpp"
 
 namespace pelagos {
@@ -27,10 +28,11 @@ inline constexpr double kHighestSlenderness = 0.1412;
 /// m, significant: half as much again as the highest that was measured at sea.
 inline constexpr double kHighestSea = 30.0;
 
-/// The wave as the wave field has it, in deep water.
-/// @param gravity  m/s^2, > 0
-[[nodiscard]] WaveComponent wave_component(const WaveSettings& wave, double gravity);
-[[nodiscard]] std::vector<WaveComponent> wave_components(std::span<const WaveSettings> waves, double gravity);
+/// The wave as the wave field has it.
+/// @param gravity  m/s^2, > 0   @param depth  m, > 0, of the sea
+[[nodiscard]] WaveComponent wave_component(const WaveSettings& wave, double gravity, double depth = kInfiniteDepth);
+[[nodiscard]] std::vector<WaveComponent> wave_components(std::span<const WaveSettings> waves, double gravity,
+                                                         double depth = kInfiniteDepth);
 
 /// m: 4 sqrt(variance).
 [[nodiscard]] double significant_height(std::span<const WaveSettings> waves);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -30,10 +31,12 @@ struct SolveSettings {
 struct ConstraintProblem {
   const PairData* data = nullptr;
   const Gradients* gradients = nullptr;
-  std::span<const float> source;         ///< b, no unit
-  float warm_factor = 0.0F;              ///< (dt / previous dt)^2; 0 starts cold
-  const BodyCoupling* bodies = nullptr;  ///< that answer the pressure; null: none does
-  double particle_mass = 0.0;            ///< kg, rho_ref V; only where bodies answer
+  std::span<const float> source;          ///< b, no unit
+  float warm_factor = 0.0F;               ///< (dt / previous dt)^2; 0 starts cold
+  const BodyCoupling* bodies = nullptr;   ///< that answer the pressure; null: none does
+  double particle_mass = 0.0;             ///< kg, rho_ref V; only where bodies answer
+  std::span<const std::uint32_t> held{};  ///< particles that the pressure does not move; their rows have alpha = 0
+  std::span<const float> given{};         ///< m^2, their pressures; empty: none
 };
 
 /// Arrays of a solve, kept between steps to avoid allocation.

@@ -9,8 +9,10 @@
 
 #include "physics/constraint_solve.hpp"
 #include "physics/coupling.hpp"
+#include "physics/floor.hpp"
 #include "physics/ghosts.hpp"
 #include "physics/grid.hpp"
+#include "physics/held_water.hpp"
 #include "physics/neighbor_search.hpp"
 #include "physics/neighbors.hpp"
 #include "physics/pair_passes.hpp"
@@ -78,6 +80,8 @@ struct FluidState : WaterState {
   /// Solid surfaces that particles know by their distance, as placed by whoever moves the bodies; corrected scheme
   /// only.
   std::vector<Solid> solids;
+  Floor floor;     ///< as it is at the end of the step; corrected scheme only
+  HeldWater held;  ///< corrected scheme only
   SolidPlanes solid_planes;
   bool gradients_present = false;  ///< lists and gradients belong to the present positions (dfsph needs them)
   bool density_present = false;    ///< the densities do; else start_acceleration computes them
@@ -101,6 +105,11 @@ struct FluidState : WaterState {
   std::vector<std::uint8_t> sorted_phase;
 };
 
+/// Whether the water meets surfaces that it knows by their distance.
+[[nodiscard]] inline bool meets_surfaces(const FluidState& state) {
+  return !state.solids.empty() || !state.floor.empty();
+}
+
 /// Builds the state: particles at the given local positions, at rest; walls of the patch sampled and sorted.
 /// @param phase  of each particle; empty: all are water. Oil needs parameters.oil
 [[nodiscard]] FluidState make_fluid(TaskPool& pool, const FluidParameters& parameters,
@@ -113,12 +122,16 @@ struct FluidState : WaterState {
 /// order. They get ids that no particle had before, no pressure, density 1 and gravity as acceleration.
 /// @param velocities  m/s, as many as positions
 /// @param phase       of all of them; kOilPhase needs parameters.oil
+/// @param labels      as many as positions, in seas whose particles have them; else empty
 void add_particles(FluidState& state, std::span<const Float4> positions, std::span<const Float4> velocities,
-                   std::uint8_t phase);
+                   std::uint8_t phase, std::span<const Float4> labels = {});
 
 /// Takes out every particle for whose index `unwanted` is true; the others keep their order and ids. Calls may come
 /// from several threads. Returns how many were taken out.
 std::size_t remove_particles(TaskPool& pool, FluidState& state, const std::function<bool(std::size_t)>& unwanted);
+
+/// Lists the particles that are held, after labels have changed and after particles have come or gone.
+void find_held(FluidState& state);
 
 /// Puts the water into a state that it, or water of the same parameters, was in. The next step makes the same bits as
 /// it made then. The samples of moving bodies are placed by whoever moves them.

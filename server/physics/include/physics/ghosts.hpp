@@ -16,6 +16,7 @@ enum class Edge : std::uint8_t {
   kWall,      ///< boundary samples
   kMirror,    ///< a smooth plane: ghosts are mirror images, normal coordinate and normal velocity reflected
   kPeriodic,  ///< ghosts are the particles of the opposite side
+  kOpen,      ///< nothing: whoever advances the water keeps it there, see physics/held_water.hpp and physics/floor.hpp
 };
 
 /// Images of the particles near mirrored and periodic faces, one support radius deep. They stand behind the particles

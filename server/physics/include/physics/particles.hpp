@@ -21,6 +21,9 @@ struct ScalarLayout<Float4> {
 /// The liquids of a scene by number, as particles carry them.
 inline constexpr std::uint8_t kWaterPhase = 0, kOilPhase = 1;
 
+/// FluidParticles::label.w of a particle that moves as it is given, see physics/held_water.hpp.
+inline constexpr float kHeld = 1.0F;
+
 /// Lanes of a group: 16 consecutive particles are worked on together.
 inline constexpr std::size_t kLanes = 16;
 
@@ -45,10 +48,12 @@ struct FluidParticles {
   std::vector<float> divergence_pressure;  ///< m^2, of the divergence solve of this step
   std::vector<std::uint32_t> id;           ///< stable identity, given once: the index at creation, counted on
   std::vector<std::uint8_t> phase;         ///< kWaterPhase or kOilPhase; empty where the scene has no oil
+  /// Where an open sea's water rests (x, y: m, local; z: m above the mean level); w: kHeld or 0. Empty in other seas.
+  std::vector<Float4> label;
 
   template <class Self, class Visitor>
   static void visit_fields(Self& self, Visitor& visit) {
-    bool phases = !self.phase.empty();
+    bool phases = !self.phase.empty(), labels = !self.label.empty();
     visit("count", self.count);
     visit("phases", phases);
     const std::size_t n = self.count, padded = padded_count(n);
@@ -60,6 +65,8 @@ struct FluidParticles {
     visit("divergence_pressure", PaddedRows{self.divergence_pressure, n, padded, 0.0F});
     visit("id", PaddedRows{self.id, n, padded, 0U});
     visit("phase", PaddedRows{self.phase, phases ? n : 0, phases ? padded : 0, kWaterPhase});
+    visit("labels", labels);
+    visit("label", PaddedRows{self.label, labels ? n : 0, labels ? padded : 0, Float4{}});
   }
 };
 

@@ -20,6 +20,7 @@ enum class Stage : std::uint8_t {
   kAcceleration,      ///< gravity and viscosity
   kWind,
   kCurrent,  ///< a current's hold on the water
+  kEdges,    ///< rim, floor and zones of an open sea
   kOil,      ///< sources, slick layer, exchange of particles and film
   kMeasure,  ///< errors, energy, largest speed
   kSurface,  ///< surface set and anisotropy, on frame steps only
@@ -27,9 +28,8 @@ enum class Stage : std::uint8_t {
 };
 inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::kCount);
 inline constexpr std::array<const char*, kStageCount> kStageNames = {
-    "bodies",           "predict", "sort",         "neighbors", "density", "density_solve", "correct_gradients",
-    "divergence_solve", "filter",  "acceleration", "wind",      "current", "oil",           "measure",
-    "surface"};
+    "bodies", "predict",      "sort", "neighbors", "density", "density_solve", "correct_gradients", "divergence_solve",
+    "filter", "acceleration", "wind", "current",   "edges",   "oil",           "measure",           "surface"};
 
 /// Wall time for each stage. Physics has no clock of its own: the caller gives one (null: nothing is timed).
 using Clock = std::int64_t (*)();  ///< ns from any fixed origin, monotonic

@@ -5,6 +5,7 @@
 
 #include "physics/fluid.hpp"
 #include "simulation/bodies.hpp"
+#include "simulation/open_sea.hpp"
 #include "values/patch_frame.hpp"
 #include "values/scene.hpp"
 
@@ -24,9 +25,15 @@ void apply_solver(const SolverSettings& solver, FluidParameters& parameters);
 struct StartingParticles {
   std::vector<Float4> position;     ///< m, local
   std::vector<std::uint8_t> phase;  ///< one a particle; empty in a scene without oil
+  std::vector<Float4> velocity;     ///< m/s; empty: at rest
+  std::vector<Float4> label;        ///< see FluidParticles; empty where no edge is open
 };
 
 /// The particles of all blocks, those inside hulls left out: the water's, then the oil's.
 [[nodiscard]] StartingParticles place_blocks(const Scene& scene, const Bodies& bodies, const PatchFrame& frame);
+
+/// The particles of an open sea in its waves, those inside hulls left out.
+[[nodiscard]] StartingParticles place_open_sea(const OpenSeaWater& water, double spacing, const Bodies& bodies,
+                                               const PatchFrame& frame);
 
 }  // namespace pelagos

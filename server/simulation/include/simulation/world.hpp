@@ -12,6 +12,7 @@
 #include "simulation/current_drive.hpp"
 #include "simulation/frame_clock.hpp"
 #include "simulation/oil_spill.hpp"
+#include "simulation/open_sea.hpp"
 #include "simulation/probes.hpp"
 #include "simulation/water_surface.hpp"
 #include "simulation/world_state.hpp"
@@ -151,6 +152,9 @@ class World {
   void settle();
   void note_start();
   void start_current();
+  void give_edges(double now, double dt, StepReport& report);
+  void draw_edges(double now, double dt, StepReport& report);
+  void renew_edges();
   void blow(double time, StepReport& report);
   void drive_current(double time, StepReport& report);
   [[nodiscard]] BodySea body_sea(double time) const;
@@ -169,7 +173,9 @@ class World {
   FrameClock clock_;
   Bodies bodies_;
   Probes probes_;
+  std::optional<OpenSea> open_sea_;  ///< where edges are open
   FluidState fluid_;
+  std::size_t free_particles_ = 0;  ///< at the start: not held
   double water_level_ = 0.0;
   WaveField sea_;
   mutable WaterSurface water_surface_;  ///< of the particles as they are; mutable: it measures when asked

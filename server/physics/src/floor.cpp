@@ -1,0 +1,47 @@
+#include "physics/floor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelagos {
+
+namespace {
+
+/// The node before a place along one axis, and how far on the place is, 0..1.
+struct Step {
+  int node = 0;
+  float part = 0.0F;
+};
+Step step_along(float way, float cell, int nodes) {
+  const float at = std::clamp(way / cell, 0.0F, static_cast<float>(nodes - 1));
+  const int node = std::min(static_cast<int>(at), nodes - 2);
+  return {node, at - static_cast<float>(node)};
+}
+
+}  // namespace
+
+Float4 Floor::at(float place_x, float place_y) const {
+  const Step a = step_along(place_x - x, cell, columns), b = step_along(place_y - y, cell, rows);
+  Float4 sum{};
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 2; ++i) {
+      const Float4& node = nodes[static_cast<std::size_t>(b.node + j) * static_cast<std::size_t>(columns) +
+                                 static_cast<std::size_t>(a.node + i)];
+      const float weight = (i == 0 ? 1.0F - a.part : a.part) * (j == 0 ? 1.0F - b.part : b.part);
+      const float half = 0.5F * cell, way_x = (a.part - static_cast<float>(i)),
+                  way_y = (b.part - static_cast<float>(j));
+      sum.x += weight * (node.x + half * (way_x * node.y + way_y * node.z));
+      sum.y += weight * node.y;
+      sum.z += weight * node.z;
+      sum.w += weight * node.w;
+    }
+  return sum;
+}
+
+FloorPlane floor_plane(const Floor& floor, const Float4& place) {
+  const Float4 at = floor.at(place.x, place.y);
+  const float up = 1.0F / std::sqrt(1.0F + at.y * at.y + at.z * at.z);
+  return {{-up * at.y, -up * at.z, up, up * (place.z - at.x)}, up * at.w};
+}
+
+}  // namespace pelagos

@@ -1,0 +1,89 @@
+// Patches of an open sea.
+
+#include <cmath>
+#include <string>
+
+#include "scene.pb.h"
+#include "validate_scene.hpp"
+
+namespace pelagos {
+
+namespace {
+
+constexpr double kRim = 3.0, kLeastZone = 4.0, kMostZone = 100.0, kLeastInside = 10.0, kLeastLayers = 4.0;  // spacings
+constexpr double kDefaultZone = 15.0;
+constexpr double kDeepest = 12000.0;  // m
+constexpr const char* kSides[] = {"x", "y"};
+
+bool is_whole(double count) { return std::fabs(count - std::round(count)) <= 1e-6; }
+
+/// One block from side to side and from the lower side of the patch up.
+void check_water(const FieldReader& reader, const Scene& scene) {
+  const FieldReader water = reader.child("water");
+  const std::vector<Box>& blocks = scene.water.blocks;
+  if (blocks.size() != 1) {
+    if (!blocks.empty())
+      water.fault("block", "there are " + std::to_string(blocks.size()) + "; allowed with OPEN edges: one");
+    return;
+  }
+  const Box& block = blocks[0];
+  const double near = 1e-6 * scene.particle_spacing;
+  const bool fills = (block.min - scene.patch.min).cwiseAbs().maxCoeff() <= near &&
+                     (block.max - scene.patch.max).head<2>().cwiseAbs().maxCoeff() <= near;
+  if (!fills)
+    water.fault("block",
+                "does not fill the patch; allowed with OPEN edges: from the patch's min corner to its max x "
+                "and y");
+  const double layers = block.size().z() / scene.particle_spacing;
+  if (!is_whole(layers) || layers < kLeastLayers - 1e-6)
+    water.fault("block", "is " + format_number(layers) +
+                             " spacings deep; allowed with OPEN edges: a whole number, at "
+                             "least " +
+                             format_number(kLeastLayers));
+}
+
+void check_solver(const FieldReader& reader, const Scene& scene) {
+  if (scene.solver.kind != SolverKind::kCorrected)
+    reader.child("patch_edges").fault("", "are OPEN; allowed with the solver CORRECTED only");
+  if (scene.support_radius != 2.0)
+    reader.fault("support_radius", "is " + format_number(scene.support_radius) + "; allowed with OPEN edges: 2");
+  if (!(scene.gravity > 0.0)) reader.fault("gravity", "is 0; allowed with OPEN edges: above 0");
+  if (scene.oil && scene.oil->model != OilModel::kSlick)
+    reader.fault("oil", "has particles, which would be lost at OPEN edges; allowed there: model SLICK");
+}
+
+double read_zone(const FieldReader& entry, const Scene& scene) {
+  const double d = scene.particle_spacing;
+  double zone = kDefaultZone * d;
+  entry.read("zone_width", {kLeastZone * d, kMostZone * d, "m", "4 to 100 spacings"}, zone);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (scene.patch_edges[axis] != PatchEdge::kOpen) continue;
+    const double side = scene.patch.size()[static_cast<int>(axis)], least = 2.0 * (zone + kRim * d) + kLeastInside * d;
+    if (side >= least - 1e-6 * d) continue;
+    entry.fault("zone_width", "of " + format_number(zone) + " m leaves no room: the patch's side along " +
+                                  kSides[axis] + " is " + format_number(side) + " m; allowed: sides of at least " +
+                                  format_number(least) + " m with such zones");
+  }
+  return zone;
+}
+
+}  // namespace
+
+void validate_open_sea(const FieldReader& reader, Scene& scene) {
+  if (scene.patch_edges[2] == PatchEdge::kOpen)
+    reader.child("patch_edges").fault("z", "is OPEN; allowed for x and y; with them the floor gives way by itself");
+  if (!is_open(scene.patch_edges)) {
+    if (reader.has("open_sea")) reader.fault("open_sea", "needs patch_edges that are OPEN along x or y");
+    return;
+  }
+  if (scene.patch_edges[2] == PatchEdge::kPeriodic)
+    reader.child("patch_edges").fault("z", "is PERIODIC; allowed with OPEN edges: leave it out");
+  check_solver(reader, scene);
+  check_water(reader, scene);
+  const FieldReader entry = reader.child("open_sea");
+  scene.open_sea.zone_width = read_zone(entry, scene);
+  const double simulated = scene.water.blocks.empty() ? 0.0 : scene.water.blocks[0].size().z();
+  entry.read("depth", {simulated, kDeepest, "m", "at least the depth of the block of water"}, scene.open_sea.depth);
+}
+
+}  // namespace pelagos
