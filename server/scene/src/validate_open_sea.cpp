@@ -1,6 +1,8 @@
 // Patches of an open sea.
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "scene.pb.h"
@@ -48,8 +50,7 @@ void check_solver(const FieldReader& reader, const Scene& scene) {
   if (scene.support_radius != 2.0)
     reader.fault("support_radius", "is " + format_number(scene.support_radius) + "; allowed with OPEN edges: 2");
   if (!(scene.gravity > 0.0)) reader.fault("gravity", "is 0; allowed with OPEN edges: above 0");
-  if (scene.oil && scene.oil->model != OilModel::kSlick)
-    reader.fault("oil", "has particles, which would be lost at OPEN edges; allowed there: model SLICK");
+  if (scene.oil) reader.fault("oil", "is in a patch with OPEN edges, where it would be lost; allowed: WALL, MIRROR, PERIODIC");
 }
 
 double read_zone(const FieldReader& entry, const Scene& scene) {
@@ -65,6 +66,40 @@ double read_zone(const FieldReader& entry, const Scene& scene) {
                                   format_number(least) + " m with such zones");
   }
   return zone;
+}
+
+void read_track(const FieldReader& track, OpenSeaSettings& open) {
+  double speed = 0.0, course = 0.0;
+  track.require("speed");
+  track.require("course_deg");
+  track.read("speed", {0.0, 30.0, "m/s"}, speed);
+  track.read("course_deg", {0.0, 360.0, "degrees clockwise from north"}, course);
+  const double angle = course * std::numbers::pi / 180.0;
+  open.follow_velocity = speed * Eigen::Vector2d(std::sin(angle), std::cos(angle));
+}
+
+void read_follow(const FieldReader& entry, Scene& scene) {
+  if (!entry.has("follow")) return;
+  const FieldReader follow = entry.child("follow");
+  if (follow.has("body") == follow.has("track")) {
+    follow.fault("", "has " + std::string(follow.has("body") ? "a body and a track" : "neither a body nor a track") +
+                         "; allowed: exactly one");
+    return;
+  }
+  if (scene.patch_edges[0] != PatchEdge::kOpen || scene.patch_edges[1] != PatchEdge::kOpen)
+    follow.fault("", "needs patch_edges that are OPEN along x and y");
+  const auto fixed = std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                                  [](const BodySettings& body) { return body.drive == BodyDrive::kStatic; });
+  if (fixed != scene.bodies.end())
+    follow.fault("", "moves the patch away from body " + std::to_string(fixed->id) +
+                         ", which is STATIC; allowed with follow: bodies that move");
+  if (follow.has("track")) return read_track(follow.child("track"), scene.open_sea);
+  follow.read("body", {1, 4294967295.0}, scene.open_sea.follow_body);
+  const bool known = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySettings& body) {
+    return body.id == scene.open_sea.follow_body;
+  });
+  if (!known)
+    follow.fault("body", std::to_string(scene.open_sea.follow_body) + " is no body of the scene; allowed: the id of one");
 }
 
 }  // namespace
@@ -83,6 +118,7 @@ void validate_open_sea(const FieldReader& reader, Scene& scene) {
   const FieldReader entry = reader.child("open_sea");
   scene.open_sea.zone_width = read_zone(entry, scene);
   const double simulated = scene.water.blocks.empty() ? 0.0 : scene.water.blocks[0].size().z();
+  read_follow(entry, scene);
   entry.read("depth", {simulated, kDeepest, "m", "at least the depth of the block of water"}, scene.open_sea.depth);
 }
 

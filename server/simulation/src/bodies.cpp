@@ -133,7 +133,8 @@ void Bodies::make_contacts(const Scene& scene) {
   if (std::none_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.free.has_value(); })) return;
   BodyContacts& contacts = contacts_.emplace(scene.particle_spacing);
   for (int axis = 0; axis < 3; ++axis) {
-    if (scene.patch_edges[static_cast<std::size_t>(axis)] == PatchEdge::kPeriodic) continue;
+    const PatchEdge edge = scene.patch_edges[static_cast<std::size_t>(axis)];
+    if (edge == PatchEdge::kPeriodic || edge == PatchEdge::kOpen) continue;
     const bool is_symmetric = axis < 2 && scene.patch_edges[static_cast<std::size_t>(axis)] == PatchEdge::kMirror;
     const auto face = is_symmetric ? BodyContacts::Face::kSmooth : BodyContacts::Face::kRough;
     contacts.add_plane(scene.patch.min, Eigen::Vector3d::Unit(axis), face);

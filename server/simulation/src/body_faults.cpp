@@ -44,7 +44,8 @@ void check_walls(const Scene& scene, const PlacedShape& body, std::vector<std::s
   if (body.settings->drive != BodyDrive::kFree) return;
   const Eigen::AlignedBox3d place = body.place();
   for (int axis = 0; axis < 3; ++axis) {
-    if (scene.patch_edges[static_cast<std::size_t>(axis)] == PatchEdge::kPeriodic) continue;
+    const PatchEdge edge = scene.patch_edges[static_cast<std::size_t>(axis)];
+    if (edge == PatchEdge::kPeriodic || edge == PatchEdge::kOpen) continue;
     const double room = room_across(scene, place, axis);
     if (room >= -kTouching * scene.particle_spacing) continue;
     faults.push_back("stands in a wall of the tank: it reaches " + digits(-room) + " m beyond the face across " +

@@ -27,8 +27,8 @@ constexpr std::size_t kBlock = 2048;
 constexpr std::size_t kSurplusShare = 10;
 constexpr float kSurplusDepth = 0.4F;
 constexpr double kSurplusDraw = 0.1;
-/// Iterations from a place to its label where nothing is known of it before.
-constexpr int kFreshIterations = 6;
+/// Free water that comes into the rim of the edge behind with a label above this many spacings is taken out.
+constexpr double kHighestHeld = 0.3;
 
 double smooth_step(double t) {
   t = std::clamp(t, 0.0, 1.0);
@@ -150,6 +150,10 @@ double OpenSea::inside(double x, double y) const {
   return least;
 }
 
+double OpenSea::inside_of(std::size_t axis, int way, float at) const {
+  return static_cast<double>(way > 0 ? shape_.patch.max[axis] - at : at - shape_.patch.min[axis]);
+}
+
 double OpenSea::draw_share(double x, double y) const {
   return shape_.zone > 0.0 ? smooth_step((shape_.zone - (inside(x, y) - rim())) / shape_.zone) : 0.0;
 }
@@ -259,6 +263,76 @@ Renewal OpenSea::renew(TaskPool& pool, std::size_t wanted, FluidState& fluid) co
   }
   done.deleted = remove_particles(pool, fluid, [&](std::size_t i) { return gone[i] != 0; });
   if (done.deleted > 0) find_held(fluid);
+  return done;
+}
+
+namespace {
+
+float& component(Float4& record, std::size_t axis) { return axis == 0 ? record.x : record.y; }
+
+/// Labels of a new column at an edge across an axis.
+std::vector<Float4> edge_column(const OpenSeaShape& shape, std::size_t axis, int way) {
+  const double d = shape.spacing;
+  const std::size_t along = 1 - axis;
+  const auto rows = static_cast<int>(std::lround(static_cast<double>(shape.patch.max[along] - shape.patch.min[along]) / d));
+  const auto layers = static_cast<int>(std::lround(shape.depth / d));
+  const double across = static_cast<double>(way > 0 ? shape.patch.max[axis] : shape.patch.min[axis]) - 0.5 * way * d;
+  std::vector<Float4> labels;
+  for (int k = 0; k < layers; ++k)
+    for (int j = 0; j < rows; ++j) {
+      Float4& label = labels.emplace_back(Float4{0.0F, 0.0F, static_cast<float>(-(k + 0.5) * d), kHeld});
+      component(label, axis) = static_cast<float>(across);
+      component(label, along) = static_cast<float>(static_cast<double>(shape.patch.min[along]) + (j + 0.5) * d);
+    }
+  return labels;
+}
+
+}  // namespace
+
+Renewal OpenSea::shift(TaskPool& pool, const WaveField& sea, const Eigen::Vector2d& anchor, double time, double dt,
+                       std::size_t axis, int way, FluidState& fluid) const {
+  FluidParticles& p = fluid.particles;
+  const double d = shape_.spacing;
+  const auto step = static_cast<float>(way * d);
+  const auto weight = static_cast<float>(fluid.parameters.gravity * dt * dt);
+  const auto highest = static_cast<float>(kHighestHeld * d), lowest = static_cast<float>(-shape_.depth + 0.01 * d);
+  std::vector<std::uint8_t> gone(p.count, 0);
+  Renewal done;
+  for (std::size_t i = 0; i < p.count; ++i) {
+    Float4& label = p.label[i];
+    component(p.position[i], axis) -= step;
+    component(label, axis) -= step;
+    const double ahead = inside_of(axis, way, component(label, axis));
+    if (label.w == kHeld) {
+      if (inside_of(axis, -way, component(label, axis)) < 0.0) {
+        gone[i] = 1;
+      } else if (ahead > 0.5 * static_cast<double>(shape_.patch.max[axis] - shape_.patch.min[axis])) {
+        continue;  // of the edge behind
+      } else if (inside(static_cast<double>(label.x), static_cast<double>(label.y)) > rim()) {
+        label.w = 0.0F;
+        p.acceleration[i] = {0.0F, 0.0F, static_cast<float>(-fluid.parameters.gravity), 0.0F};
+        p.divergence_pressure[i] = weight * std::max(0.0F, -label.z);
+      }
+      continue;
+    }
+    if (inside_of(axis, -way, component(p.position[i], axis)) >= rim()) continue;
+    if (label.z > highest) {
+      gone[i] = 1;
+      ++done.spray;
+      continue;
+    }
+    label.z = std::clamp(label.z, lowest, 0.0F);
+    label.w = kHeld;
+  }
+  done.deleted = remove_particles(pool, fluid, [&](std::size_t i) { return gone[i] != 0; });
+  const std::vector<Float4> column = edge_column(shape_, axis, way);
+  std::vector<Float4> position, velocity;
+  place_labels(
+      pool, moment(sea, anchor, time), moment(sea, anchor, time + 0.5 * dt), shape_.level, column.size(),
+      [&](std::size_t k) { return column[k]; }, position, velocity);
+  add_particles(fluid, position, velocity, kWaterPhase, column);
+  done.created = column.size();
+  find_held(fluid);
   return done;
 }
 

@@ -27,6 +27,7 @@ constexpr int kMostFaults = 3;
 constexpr std::size_t kMostNotes = 32;  ///< about the start
 
 constexpr std::uint64_t kRenewalSteps = 32;  ///< between renewals of open edges
+constexpr double kLongestLag = 0.25;  ///< of the patch's shorter side, that the patch catches up by moving
 constexpr int kSettleChunk = 10;             ///< steps between reports of progress
 
 Bodies make_bodies(TaskPool& pool, const Scene& scene) {
@@ -184,6 +185,7 @@ WorldStep World::advance(const StepInputs& inputs) {
   step.outcomes = take(inputs);
   renew_edges();
   const double dt = choose_step();
+  follow(dt);
   step.report = step_water(*pool_, fluid_, dt, options_.clock, step_parts(clock_.time(), dt));
   ++step_;
   if (step.report.not_finite > 0 || !bodies_.finite()) {
@@ -239,6 +241,49 @@ void World::renew_edges() {
   if (!open_sea_ || step_ % kRenewalSteps != 0 || step_ == 0) return;
   const Renewal renewal = open_sea_->renew(*pool_, free_particles_, fluid_);
   if (renewal.deleted > 0) water_surface_.forget();
+}
+
+/// Keeps the patch within a spacing of what it follows.
+void World::follow(double dt) {
+  if (!open_sea_ || !scene_.open_sea.follows()) return;
+  const double d = scene_.particle_spacing;
+  const Eigen::Vector2d lag = followed_place() - frame_.middle();
+  if (lag.cwiseAbs().maxCoeff() > kLongestLag * (frame_.box.max - frame_.box.min).head<2>().minCoeff()) {
+    const Eigen::Vector2d whole = d * (lag / d).array().round();
+    move_patch(frame_.moved({whole.x(), whole.y(), 0.0}));
+    return refill_patch();
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    if (std::abs(lag[axis]) < d) continue;
+    const int way = lag[axis] > 0.0 ? 1 : -1;
+    move_patch(frame_.moved(way * d * Eigen::Vector3d::Unit(axis)));
+    (void)open_sea_->shift(*pool_, sea_, frame_.origin.head<2>(), clock_.time(), dt, static_cast<std::size_t>(axis),
+                           way, fluid_);
+  }
+}
+
+Eigen::Vector2d World::followed_place() const {
+  const OpenSeaSettings& open = scene_.open_sea;
+  if (open.follow_body == 0) return patch_frame(scene_).middle() + clock_.time() * open.follow_velocity;
+  for (const BodyState& body : bodies_.states())
+    if (body.body == open.follow_body) return body.position.head<2>();
+  return frame_.middle();
+}
+
+void World::move_patch(const PatchFrame& frame) {
+  frame_ = frame;
+  water_surface_.follow(frame);
+  if (wind_) wind_->follow(frame);
+}
+
+/// The undisturbed sea in the patch as it lies now.
+void World::refill_patch() {
+  const OpenSeaWater water =
+      open_sea_->fill(*pool_, sea_, frame_.origin.head<2>(), clock_.time(), largest_time_step(scene_));
+  const StartingParticles start = place_open_sea(water, scene_.particle_spacing, bodies_, frame_);
+  (void)remove_particles(*pool_, fluid_, [](std::size_t) { return true; });
+  add_particles(fluid_, start.position, start.velocity, kWaterPhase, start.label);
+  find_held(fluid_);
 }
 
 void World::blow(double time, StepReport& report) {
@@ -317,6 +362,7 @@ WorldState World::state() const {
   copy_what_inputs_change(state);
   state.step = step_;
   state.clock = clock_;
+  state.patch = frame_;
   state.water = fluid_;
   state.foam = surface_.foam();
   state.faults = faults_;
@@ -333,6 +379,8 @@ bool World::accepts(const WorldState& state) const {
 void World::restore(const WorldState& state) {
   step_ = state.step;
   clock_ = state.clock;
+  frame_ = state.patch;
+  water_surface_.follow(frame_);
   restore_water(fluid_, state.water);
   bodies_.restore(state.bodies, frame_, fluid_);
   if (spill_) spill_->restore(*state.oil);

@@ -92,7 +92,7 @@ Air::Moment Air::at(double time) const {
 
 Eigen::Vector3d Air::reference(const Moment& moment, const Eigen::Vector3d& local) const {
   if (moment.wind.amplitude == 0.0) return moment.pulse * moment.wind.velocity;
-  const Eigen::Vector3d s = local / moment.wind.length + moment.offset;
+  const Eigen::Vector3d s = (local + around_.way) / moment.wind.length + moment.offset;
   Eigen::Vector3d noise;
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d p = s + offset_[static_cast<std::size_t>(axis)];

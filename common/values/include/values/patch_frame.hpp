@@ -18,6 +18,12 @@ struct PatchFrame {
   [[nodiscard]] double local_height(double world) const { return world - origin.z(); }
   [[nodiscard]] double world_height(double local) const { return local + origin.z(); }
   [[nodiscard]] Box local_box() const { return {to_local(box.min), to_local(box.max)}; }
+  /// The same patch elsewhere. @param way  m
+  [[nodiscard]] PatchFrame moved(const Eigen::Vector3d& way) const {
+    return {origin + way, {box.min + way, box.max + way}, edges};
+  }
+  /// m, world: the middle of its area.
+  [[nodiscard]] Eigen::Vector2d middle() const { return 0.5 * (box.min + box.max).head<2>(); }
   /// Whether a place (m, world) lies in the patch, above or below it.
   [[nodiscard]] bool covers(const Eigen::Vector2d& world) const {
     return (world.array() >= box.min.head<2>().array()).all() && (world.array() <= box.max.head<2>().array()).all();

@@ -73,6 +73,13 @@ class OpenSea {
   /// @param wanted  particles that are not held, at the mean level
   [[nodiscard]] Renewal renew(TaskPool& pool, std::size_t wanted, FluidState& fluid) const;
 
+  /// Between steps: moves the patch by one spacing along an open axis, 0 or 1, up (`way` 1) or down it (-1). Local zero
+  /// goes along, so all positions and labels shift. In front a column of the rim is new and the rim's last one becomes
+  /// free; behind, water that is now in the rim is held from here on and what lies beyond it is taken out.
+  /// @param anchor  m, world: where local x = y = 0 is after the move   @param dt  s, of the coming step, about
+  [[nodiscard]] Renewal shift(TaskPool& pool, const WaveField& sea, const Eigen::Vector2d& anchor, double time,
+                              double dt, std::size_t axis, int way, FluidState& fluid) const;
+
   [[nodiscard]] const OpenSeaShape& shape() const { return shape_; }
   /// Columns of the rim.
   static constexpr int kRimColumns = 3;
@@ -80,6 +87,8 @@ class OpenSea {
   static constexpr double kShortestWave = 8.0;
   /// m, from the nearest open edge inwards; negative beyond it. Large without open edges.
   [[nodiscard]] double inside(double x, double y) const;
+  /// m, from the upper (way 1) or lower (-1) edge across an axis inwards.
+  [[nodiscard]] double inside_of(std::size_t axis, int way, float at) const;
   /// How strongly water at a place is drawn, 0..1.
   [[nodiscard]] double draw_share(double x, double y) const;
 

@@ -29,6 +29,11 @@ class WaterSurface {
   /// @param pool  must outlive this
   WaterSurface(TaskPool& pool, const SurfaceSurroundings& around) : pool_(pool), around_(around) {}
 
+  /// The patch has moved.
+  void follow(const PatchFrame& frame) {
+    around_.frame = frame;
+    forget();
+  }
   /// The particles have moved, or will have before the next question.
   void forget() { has_columns_ = has_grid_ = has_velocities_ = false; }
 

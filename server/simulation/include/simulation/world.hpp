@@ -155,6 +155,10 @@ class World {
   void give_edges(double now, double dt, StepReport& report);
   void draw_edges(double now, double dt, StepReport& report);
   void renew_edges();
+  void follow(double dt);
+  void move_patch(const PatchFrame& frame);
+  void refill_patch();
+  [[nodiscard]] Eigen::Vector2d followed_place() const;
   void blow(double time, StepReport& report);
   void drive_current(double time, StepReport& report);
   [[nodiscard]] BodySea body_sea(double time) const;

@@ -12,6 +12,7 @@
 #include "surface/surface_extractor.hpp"
 #include "values/current.hpp"
 #include "values/effort.hpp"
+#include "values/patch_frame.hpp"
 #include "values/probe.hpp"
 #include "waves/wave_field.hpp"
 #include "wind/air.hpp"
@@ -52,6 +53,7 @@ struct FaultState {
 struct WorldState {
   std::uint64_t step = 0;  ///< steps made so far
   FrameClock clock;
+  PatchFrame patch;
   WaterState water;
   BodiesState bodies;
   std::optional<OilSpillState> oil;
@@ -68,6 +70,7 @@ struct WorldState {
   static void visit_fields(Self& self, Visitor& visit) {
     visit("step", self.step);
     visit("clock", self.clock);
+    visit("patch", self.patch);
     visit("water", self.water);
     visit("bodies", self.bodies);
     visit("oil", self.oil);

@@ -14,12 +14,15 @@ struct AirSurroundings {
   PatchFrame frame;          ///< heights of WindLaw::kPaper count from its floor
   double water_level = 0.0;  ///< m, world: mean level, from which heights count
   std::uint64_t seed = 1;    ///< of the disturbance
+  /// m: how far the frame has moved since the start. The disturbance stays where it is in the world.
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();
 
   template <class Self, class Visitor>
   static void visit_fields(Self& self, Visitor& visit) {
     visit("frame", self.frame);
     visit("water_level", self.water_level);
     visit("seed", self.seed);
+    visit("way", self.way);
   }
 };
 
@@ -45,6 +48,12 @@ class Air {
   /// length, control factor and the value of the pulse; law and roughness change at once. Velocity and disturbance stay
   /// continuous, also when a ramp is replaced before its end. Times must not decrease from call to call.
   void set(const WindSettings& wind, double time, double ramp_seconds);
+
+  /// The patch has moved: what is local from now on is so in this frame.
+  void follow(const PatchFrame& frame) {
+    around_.way += frame.origin - around_.frame.origin;
+    around_.frame = frame;
+  }
 
   /// A time step has been made: moves the paper's pulse and noise on. Nothing else depends on it.
   void count_step() { ++steps_; }

@@ -47,6 +47,8 @@ class Wind {
   /// See Air::set.
   void set(const WindSettings& settings, double time, double ramp_seconds) { air_.set(settings, time, ramp_seconds); }
 
+  void follow(const PatchFrame& frame) { air_.follow(frame); }  ///< see Air::follow
+
   [[nodiscard]] const Air& air() const { return air_; }
 
   /// The push of the wind on the first `count` particles, once a step: an acceleration (m/s^2) that is added, or a
