@@ -241,7 +241,10 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   const Breaking breaking = breaking_of(waves.waves, wind);
   block.level =
       vector4(scene.water_level - camera.eye.z(), std::fmod(moment.time, 3600.0), kVisibility, breaking.threshold);
-  const Eigen::Vector3d low = scene.patch.min - camera.eye, high = scene.patch.max - camera.eye;
+  // The origin of the particles is the middle of the patch, also where the patch follows a ship.
+  const Eigen::Vector2d middle_of_patch = (moment.origin - camera.eye).head<2>();
+  const Eigen::Vector2d half = 0.5 * scene.patch.size().head<2>(), low = middle_of_patch - half,
+                        high = middle_of_patch + half;
   block.patch_box = vector4(low.x(), low.y(), high.x(), high.y());
   const double narrow = scene.patch.size().head<2>().minCoeff();
   const bool present = !moment.particles.empty() && narrow > 0.0;

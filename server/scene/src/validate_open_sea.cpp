@@ -50,7 +50,8 @@ void check_solver(const FieldReader& reader, const Scene& scene) {
   if (scene.support_radius != 2.0)
     reader.fault("support_radius", "is " + format_number(scene.support_radius) + "; allowed with OPEN edges: 2");
   if (!(scene.gravity > 0.0)) reader.fault("gravity", "is 0; allowed with OPEN edges: above 0");
-  if (scene.oil) reader.fault("oil", "is in a patch with OPEN edges, where it would be lost; allowed: WALL, MIRROR, PERIODIC");
+  if (scene.oil)
+    reader.fault("oil", "is in a patch with OPEN edges, where it would be lost; allowed: WALL, MIRROR, PERIODIC");
 }
 
 double read_zone(const FieldReader& entry, const Scene& scene) {
@@ -95,31 +96,31 @@ void read_follow(const FieldReader& entry, Scene& scene) {
                          ", which is STATIC; allowed with follow: bodies that move");
   if (follow.has("track")) return read_track(follow.child("track"), scene.open_sea);
   follow.read("body", {1, 4294967295.0}, scene.open_sea.follow_body);
-  const bool known = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySettings& body) {
-    return body.id == scene.open_sea.follow_body;
-  });
+  const bool known = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                 [&](const BodySettings& body) { return body.id == scene.open_sea.follow_body; });
   if (!known)
-    follow.fault("body", std::to_string(scene.open_sea.follow_body) + " is no body of the scene; allowed: the id of one");
+    follow.fault("body",
+                 std::to_string(scene.open_sea.follow_body) + " is no body of the scene; allowed: the id of one");
 }
 
 }  // namespace
 
 void validate_open_sea(const FieldReader& reader, Scene& scene) {
+  const bool open = is_open(scene.patch_edges);
   if (scene.patch_edges[2] == PatchEdge::kOpen)
     reader.child("patch_edges").fault("z", "is OPEN; allowed for x and y; with them the floor gives way by itself");
-  if (!is_open(scene.patch_edges)) {
-    if (reader.has("open_sea")) reader.fault("open_sea", "needs patch_edges that are OPEN along x or y");
-    return;
-  }
-  if (scene.patch_edges[2] == PatchEdge::kPeriodic)
+  if (open && scene.patch_edges[2] == PatchEdge::kPeriodic)
     reader.child("patch_edges").fault("z", "is PERIODIC; allowed with OPEN edges: leave it out");
-  check_solver(reader, scene);
-  check_water(reader, scene);
+  if (!open && reader.has("open_sea")) reader.fault("open_sea", "needs patch_edges that are OPEN along x or y");
+  if (open) {
+    check_solver(reader, scene);
+    check_water(reader, scene);
+  }
   const FieldReader entry = reader.child("open_sea");
   scene.open_sea.zone_width = read_zone(entry, scene);
   const double simulated = scene.water.blocks.empty() ? 0.0 : scene.water.blocks[0].size().z();
-  read_follow(entry, scene);
   entry.read("depth", {simulated, kDeepest, "m", "at least the depth of the block of water"}, scene.open_sea.depth);
+  read_follow(entry, scene);
 }
 
 }  // namespace pelagos

@@ -274,7 +274,8 @@ float& component(Float4& record, std::size_t axis) { return axis == 0 ? record.x
 std::vector<Float4> edge_column(const OpenSeaShape& shape, std::size_t axis, int way) {
   const double d = shape.spacing;
   const std::size_t along = 1 - axis;
-  const auto rows = static_cast<int>(std::lround(static_cast<double>(shape.patch.max[along] - shape.patch.min[along]) / d));
+  const auto rows =
+      static_cast<int>(std::lround(static_cast<double>(shape.patch.max[along] - shape.patch.min[along]) / d));
   const auto layers = static_cast<int>(std::lround(shape.depth / d));
   const double across = static_cast<double>(way > 0 ? shape.patch.max[axis] : shape.patch.min[axis]) - 0.5 * way * d;
   std::vector<Float4> labels;

@@ -27,7 +27,7 @@ constexpr int kMostFaults = 3;
 constexpr std::size_t kMostNotes = 32;  ///< about the start
 
 constexpr std::uint64_t kRenewalSteps = 32;  ///< between renewals of open edges
-constexpr double kLongestLag = 0.25;  ///< of the patch's shorter side, that the patch catches up by moving
+constexpr double kLongestLag = 0.25;         ///< of the patch's shorter side, that the patch catches up by moving
 constexpr int kSettleChunk = 10;             ///< steps between reports of progress
 
 Bodies make_bodies(TaskPool& pool, const Scene& scene) {

@@ -64,7 +64,7 @@ Scene make_scene(const Setting& setting, const Subject& subject, const std::file
   Scene scene;
   scene.name = setting.name;
   scene.particle_spacing = subject.spacing;
-  scene.patch = {Eigen::Vector3d::Zero(), setting.patch};
+  scene.patch = {Eigen::Vector3d::Zero(), setting.tank};
   scene.water.blocks = {{Eigen::Vector3d::Zero(), setting.block}};
   scene.water.settle_steps = 50;
   if (!choose_solver(subject.solver, scene.solver)) throw std::invalid_argument("no solver " + subject.solver);
@@ -119,7 +119,7 @@ class Watch {
  public:
   Watch(Session& session, const Subject& subject, const Setting& setting, const World& world)
       : setting_(setting),
-        grid_(plan_grid(-world.patch().origin.x(), -world.patch().origin.y(), setting.patch.x(), setting.patch.y(),
+        grid_(plan_grid(-world.patch().origin.x(), -world.patch().origin.y(), setting.tank.x(), setting.tank.y(),
                         world.scene().particle_spacing)),
         surface_(session.series(subject, "surface", "t,x,height")) {}
 
@@ -132,7 +132,7 @@ class Watch {
         surface_.add({world.time(), (static_cast<double>(i) + 0.5) * profile.bin, profile.height[i]});
     if (const double depth = find_meeting(profile).depth; depth > meeting) {
       meeting = depth;
-      at_meeting = take_snapshot(world, 0.5 * setting_.patch.y());
+      at_meeting = take_snapshot(world, 0.5 * setting_.tank.y());
     }
     if (const Overhang found = find_overhang(grid_, position); found.cells > overhang) {
       overhang = found.cells;

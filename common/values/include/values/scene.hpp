@@ -200,8 +200,8 @@ struct FarSeaSettings {
 
 /// How a patch with open edges goes over into the sea around it.
 struct OpenSeaSettings {
-  double zone_width = 0.0;  ///< m, in which the water is drawn to the wave field; 0: 15 spacings
-  double depth = 0.0;       ///< m, of the sea; 0: deeper than any wave reaches
+  double zone_width = 0.0;        ///< m, in which the water is drawn to the wave field; 0: 15 spacings
+  double depth = 0.0;             ///< m, of the sea; 0: deeper than any wave reaches
   std::uint32_t follow_body = 0;  ///< its id: the patch stays around it; 0: none
   Eigen::Vector2d follow_velocity = Eigen::Vector2d::Zero();  ///< m/s: without a body the patch moves like this
   [[nodiscard]] bool follows() const { return follow_body != 0 || !follow_velocity.isZero(0.0); }

@@ -1,0 +1,106 @@
+// Patches with open edges.
+
+#include <gmock/gmock.h>
+
+#include "scene_text.hpp"
+
+namespace pelagos {
+namespace {
+
+using testing::HasSubstr;
+
+/// A patch of 48 x 40 x 5 m with open edges, `more` after it, pieces replaced.
+SceneResult read_open(const std::string& more, const std::string& what = "", const std::string& by = "") {
+  std::string text =
+      "name: \"open\"\n"
+      "particle_spacing: 1\n"
+      "patch { min { x: -24 y: -20 z: -5 } max { x: 24 y: 20 z: 9 } }\n"
+      "patch_edges { x: OPEN y: OPEN }\n"
+      "water { block { min { x: -24 y: -20 z: -5 } max { x: 24 y: 20 z: 0 } } }\n"
+      "open_sea { zone_width: 8 }\n";
+  if (!what.empty()) {
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    text.replace(at, what.size(), by);
+  }
+  SceneReadOptions options;
+  options.check_meshes = false;
+  return read_scene_text(text + more, "open.scene", options);
+}
+
+TEST(SceneOpenSea, IsRead) {
+  const SceneResult result =
+      read_open("", "zone_width: 8", "zone_width: 7.5 depth: 40 follow { track { speed: 5 course_deg: 90 } }");
+  ASSERT_TRUE(result) << result.report();
+  EXPECT_TRUE(is_open(result.scene->patch_edges));
+  EXPECT_EQ(result.scene->open_sea.zone_width, 7.5);
+  EXPECT_EQ(result.scene->open_sea.depth, 40.0);
+  EXPECT_NEAR(result.scene->open_sea.follow_velocity.x(), 5.0, 1e-12);
+  EXPECT_NEAR(result.scene->open_sea.follow_velocity.y(), 0.0, 1e-12);
+}
+
+TEST(SceneOpenSea, HasZonesOfFifteenSpacings) {
+  const SceneResult result =
+      read_open("", "x: -24 y: -20 z: -5 } max { x: 24 y: 20 z: 9", "x: -24 y: -24 z: -5 } max { x: 24 y: 24 z: 9");
+  EXPECT_THAT(result.report(), HasSubstr("water.block: does not fill the patch"));
+  EXPECT_THAT(read_open("", "open_sea { zone_width: 8 }\n", "").report(),
+              HasSubstr("open_sea.zone_width: of 15 m leaves no room: the patch's side along y is 40 m; allowed: sides "
+                        "of at least 46 m with such zones"));
+}
+
+struct Fault {
+  const char* name;
+  const char* more;
+  const char* what;
+  const char* by;
+  const char* says;
+};
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+class SceneOpenSeaFault : public testing::TestWithParam<Fault> {};
+TEST_P(SceneOpenSeaFault, NamesFieldAndWhatIsAllowed) {
+  const SceneResult result = read_open(GetParam().more, GetParam().what, GetParam().by);
+  EXPECT_FALSE(result);
+  EXPECT_THAT(result.report(), HasSubstr(GetParam().says));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Fields, SceneOpenSeaFault,
+    testing::Values(
+        Fault{"WithoutOpenEdges", "", "patch_edges { x: OPEN y: OPEN }\n", "",
+              "open_sea: needs patch_edges that are OPEN along x or y"},
+        Fault{"OpenBelow", "", "x: OPEN y: OPEN", "x: OPEN y: OPEN z: OPEN",
+              "patch_edges.z: is OPEN; allowed for x and y"},
+        Fault{"PeriodicBelow", "", "x: OPEN y: OPEN", "x: OPEN y: OPEN z: PERIODIC",
+              "patch_edges.z: is PERIODIC; allowed"},
+        Fault{"OddSide", "", "max { x: 24 y: 20 z: 9", "max { x: 24.5 y: 20 z: 9",
+              "patch_edges.x: is OPEN, but the patch's side of 48.5 m is no whole number of spacings"},
+        Fault{"Hybrid", "solver { kind: HYBRID }", "", "",
+              "patch_edges: are OPEN; allowed with the solver CORRECTED only"},
+        Fault{"Support", "support_radius: 1.9", "", "", "support_radius: is 1.9; allowed with OPEN edges: 2"},
+        Fault{"TwoBlocks", "", "water { block", "water { block { min { x: 0 y: 0 z: 1 } max { x: 4 y: 4 z: 4 } } block",
+              "water.block: there are 2; allowed with OPEN edges: one"},
+        Fault{"SmallBlock", "", "max { x: 24 y: 20 z: 0", "max { x: 23 y: 20 z: 0",
+              "water.block: does not fill the patch"},
+        Fault{"OddDepth", "", "max { x: 24 y: 20 z: 0", "max { x: 24 y: 20 z: 0.5",
+              "water.block: is 5.5 spacings deep; allowed with OPEN edges: a whole number, at least 4"},
+        Fault{"Oil", "oil { }", "", "", "oil: is in a patch with OPEN edges"},
+        Fault{"WideZones", "", "zone_width: 8", "zone_width: 12.5", "leaves no room: the patch's side along y is 40 m"},
+        Fault{"NarrowZones", "", "zone_width: 8", "zone_width: 3",
+              "open_sea.zone_width: 3 is out of range; allowed: 4 to 100 m"},
+        Fault{"Shallow", "", "zone_width: 8", "zone_width: 8 depth: 4.5",
+              "open_sea.depth: 4.5 is out of range; allowed: 5 to 12000 m"},
+        Fault{"FollowsNothing", "", "zone_width: 8", "zone_width: 8 follow { }",
+              "open_sea.follow: has neither a body nor a track; allowed: exactly one"},
+        Fault{"FollowsBoth", "", "zone_width: 8", "zone_width: 8 follow { body: 1 track { speed: 1 course_deg: 0 } }",
+              "open_sea.follow: has a body and a track; allowed: exactly one"},
+        Fault{"FollowsNobody", "", "zone_width: 8", "zone_width: 8 follow { body: 7 }",
+              "open_sea.follow.body: 7 is no body of the scene; allowed: the id of one"},
+        Fault{"TooFast", "", "zone_width: 8", "zone_width: 8 follow { track { speed: 31 course_deg: 0 } }",
+              "open_sea.follow.track.speed: 31 is out of range; allowed: 0 to 30 m/s"},
+        Fault{"WithoutCourse", "", "zone_width: 8", "zone_width: 8 follow { track { speed: 3 } }",
+              "open_sea.follow.track.course_deg: is missing"}),
+    [](const auto& entry) { return entry.param.name; });
+
+}  // namespace
+}  // namespace pelagos
