@@ -48,6 +48,36 @@ TEST(InputGate, RefusesAtOnceWhatDoesNotFitTheSceneBeforeTheFirstBoundary) {
   EXPECT_EQ(gate.scheduled_count(), 0u);
 }
 
+/// What a gate answers before its first boundary: "" where the command waits.
+std::string answer_of(InputGate& gate, const Command& command) {
+  std::optional<CommandAnswer> news;
+  if (auto refusal = gate.submit(command, "a", [&](const CommandAnswer& answer) { news = answer; })) return *refusal;
+  if (!news) return "no answer";
+  return news->refusal ? to_string(*news->refusal) : "";
+}
+
+TEST(InputGate, RefusesAtOnceToRemoveWhatWillNotBeThereAtTheFirstBoundary) {
+  Scene scene = pool_of_water();
+  scene.oil.emplace().model = OilModel::kSlick;
+  scene.probes.push_back({});
+  scene.probes.back().id = 4;
+  scene.events.push_back({0.0, OilCommand{SetBoom{"north", {{1, 1}, {3, 3}}}}});
+  scene.events.push_back({5.0, OilCommand{SetBoom{"later", {{1, 1}, {3, 3}}}}});
+  InputGate gate(scene, std::nullopt);
+  EXPECT_EQ(answer_of(gate, OilCommand{RemoveBoom{"nrth"}}),
+            "name: there is no boom \"nrth\"; did you mean \"north\"? allowed: \"north\"");
+  EXPECT_EQ(answer_of(gate, OilCommand{RemoveBoom{"later"}}), "name: there is no boom \"later\"; allowed: \"north\"");
+  EXPECT_EQ(answer_of(gate, OilCommand{RemoveSkimmer{"rig"}}), "name: there is no skimmer \"rig\", nor any other");
+  EXPECT_EQ(answer_of(gate, OilCommand{StopRelease{"hose"}}), "name: there is no source \"hose\", nor any other");
+  EXPECT_EQ(answer_of(gate, RemoveProbe{1}), "id: there is no probe 1; allowed: 4");
+  EXPECT_EQ(gate.scheduled_count(), 2u) << "the scene's own";
+  EXPECT_EQ(answer_of(gate, RemoveProbe{4}), "");
+  EXPECT_EQ(answer_of(gate, RemoveProbe{4}), "id: there is no probe 4, nor any other") << "it will be gone by then";
+  EXPECT_EQ(answer_of(gate, OilCommand{RemoveBoom{"north"}}), "");
+  EXPECT_EQ(answer_of(gate, OilCommand{SetSkimmer{"rig", {2, 2}, 1.0, 10.0}}), "");
+  EXPECT_EQ(answer_of(gate, OilCommand{RemoveSkimmer{"rig"}}), "") << "it waits for the same boundary";
+}
+
 TEST(InputGate, IsBoundedBeforeTheFirstBoundary) {
   InputGate gate(pool_of_water(), std::nullopt);
   std::size_t taken = 0;

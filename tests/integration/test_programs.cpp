@@ -93,14 +93,25 @@ TEST_F(Server, AnswersCommandsAtOnceWhileItSettlesItsWater) {
   const TemporaryFolder folder;
   const std::string scene_file = (folder.path() / "slow_start.scene").string();
   std::ofstream(scene_file) << "particle_spacing: 0.1 patch { min { } max { x: 3 y: 3 z: 2 } }\n"
-                               "water { block { min { } max { x: 3 y: 3 z: 1 } } settle_steps: 500 }\n";
+                               "water { block { min { } max { x: 3 y: 3 z: 1 } } settle_steps: 500 }\n"
+                               "wind { speed: 9 from_deg: 270 }\n";
   server_ = std::make_unique<RunningProgram>(server_arguments(scene_file, endpoint_));
   const auto end = std::chrono::steady_clock::now() + kPatience;
   while (ask({"pause"}) != 0) ASSERT_LT(std::chrono::steady_clock::now(), end) << server_->errors();
-  EXPECT_EQ(answer_,
-            "scheduled as 1: the server still places and settles its water; takes effect before the first step\n");
+  EXPECT_EQ(
+      answer_,
+      "scheduled as 1: the server still places and settles its water; the first step decides, and an event and the "
+      "status tell if it refuses\n");
   ASSERT_EQ(ask({"status", "--json"}), 0);
-  EXPECT_EQ(nlohmann::json::parse(answer_).at("starting"), true);
+  const nlohmann::json first = nlohmann::json::parse(answer_);
+  EXPECT_EQ(first.at("starting"), true);
+  EXPECT_EQ(first.at("wind").at("speed"), 9.0);
+  EXPECT_GT(first.at("density_tolerance"), 0.0);
+  EXPECT_EQ(first.at("scheduled"), 1);
+  EXPECT_GE(first.at("settled"), 0.0);
+  EXPECT_EQ(ask({"probe", "1", "--remove"}), 1) << "there is none, nor will there be one";
+  ASSERT_EQ(ask({"wind-at", "1", "1", "11", "--json"}), 0);
+  EXPECT_GT(nlohmann::json::parse(answer_).at("place").at(0).at("speed"), 8.0);
   EXPECT_EQ(ask({"probe", "1", "9", "9"}), 1) << "it lies outside the patch";
   ASSERT_EQ(ask({"schedule"}), 0);
   EXPECT_THAT(answer_, HasSubstr("pause"));

@@ -138,7 +138,8 @@ TEST(CommandLogFile, ReadsBackEveryBit) {
   current.current.relaxation = 1.0 / 0.7;
   current.ramp_seconds = 0.7;
   {
-    CommandLogWriter writer(file.path(), kHeader);
+    CommandLogWriter writer(file.path());
+    writer.write(kHeader);
     writer.write({3, 0.1 * 3, "scene event 2", pulsed});
     SetWind real = awkward_wind();  // its pulse is gone again
     real.wind.law = WindLaw::kStress;
@@ -190,7 +191,8 @@ TEST(CommandLogFile, ReadsBackEveryBit) {
 
 TEST(CommandLogFile, OfARunThatWasCutOffCanBeRead) {
   const LogFile file;
-  CommandLogWriter writer(file.path(), kHeader);
+  CommandLogWriter writer(file.path());
+  writer.write(kHeader);
   writer.write({3, 0.3, "a", ClearWind{}});
   const CommandLogResult result = read_command_log_file(file.path());  // while it is still open
   ASSERT_TRUE(result.log);
@@ -217,8 +219,10 @@ TEST(CommandLogFile, SaysWhatIsWrongWithIt) {
 }
 
 TEST(CommandLogFile, NoticesThatItCannotBeWritten) {
-  EXPECT_TRUE(CommandLogWriter("/nowhere/a.log", kHeader).failed());
-  EXPECT_TRUE(CommandLogWriter("/dev/full", kHeader).failed());
+  EXPECT_TRUE(CommandLogWriter("/nowhere/a.log").failed());
+  CommandLogWriter full("/dev/full");
+  full.write(kHeader);
+  EXPECT_TRUE(full.failed());
 }
 
 }  // namespace

@@ -14,6 +14,12 @@ std::vector<std::uint32_t> driven_bodies(const Scene& scene) {
   return ids;
 }
 
+std::set<std::uint32_t> probe_ids(const Scene& scene) {
+  std::set<std::uint32_t> ids;
+  for (const ProbeSettings& probe : scene.probes) ids.insert(probe.id);
+  return ids;
+}
+
 std::string bridge_name(std::uint32_t sender) { return "bridge " + std::to_string(sender); }
 
 }  // namespace
@@ -22,6 +28,7 @@ InputGate::InputGate(const Scene& scene, std::optional<Replay> replay)
     : driven_(driven_bodies(scene)),
       origin_(scene.origin),
       around_(command_surroundings(scene)),
+      scene_probes_(probe_ids(scene)),
       commands_(replay ? std::vector<SceneEvent>{} : scene.events),
       replay_(std::move(replay)) {
   limits_.spacing = scene.particle_spacing;
@@ -43,9 +50,20 @@ std::optional<std::string> InputGate::submit(const Command& command, const std::
   return commands_.submit(command, source, std::move(answer));
 }
 
+/// Before the first boundary there is what the scene puts there, and what waits for that boundary will.
+std::optional<Refusal> InputGate::refuse_before_start(const Command& command) const {
+  if (auto refusal = find_refusal(command, around_)) return refusal;
+  GivenNames given;
+  given.probes = scene_probes_;
+  for (const ScheduledCommand& waiting : commands_.scheduled())
+    if (waiting.at <= 0.0) given.follow(waiting.command);
+  if (auto refusal = find_unknown_name(command, given)) return refusal;
+  return find_no_room(command, given);
+}
+
 std::optional<std::string> InputGate::submit_before_start(const Command& command, const std::string& source,
                                                           TakeAnswer answer) {
-  CommandAnswer news{0, find_refusal(command, around_), 0};
+  CommandAnswer news{0, refuse_before_start(command), 0};
   if (!news.refusal) {
     const CommandQueue::Scheduled waiting = commands_.schedule(command, 0.0, source);
     if (waiting.past) return commands_.submit(command, source, std::move(answer));  // it has just started

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "transport/pose_receiver.hpp"
 #include "transport/probe_receiver.hpp"
 #include "values/command_surroundings.hpp"
+#include "values/given_names.hpp"
 #include "values/scene.hpp"
 #include "values/step_inputs.hpp"
 
@@ -30,7 +32,8 @@ class InputGate {
   void open(const std::shared_ptr<DdsParticipant>& participant, const DdsLog& log);
 
   // From any thread: what stations ask. Before the first boundary a command without a time is answered at once: refused
-  // where it does not fit the scene, else scheduled for that boundary.
+  // where it does not fit the scene or speaks of what will not be there, else scheduled for that boundary, which may
+  // still refuse it for what only the world tells.
   std::optional<std::string> submit(const Command& command, const std::string& source, TakeAnswer answer = {});
   ScheduleAnswer schedule(const Command& command, double at, const std::string& source);
   bool cancel(std::uint64_t id, const std::string& source) { return commands_.cancel(id, source); }
@@ -63,6 +66,7 @@ class InputGate {
 
  private:
   [[nodiscard]] std::optional<std::string> refuse_in_replay(const Command& command) const;
+  [[nodiscard]] std::optional<Refusal> refuse_before_start(const Command& command) const;
   std::optional<std::string> submit_before_start(const Command& command, const std::string& source, TakeAnswer answer);
   void take_requests(Batch& batch);
   void take_poses(Batch& batch);
@@ -70,7 +74,8 @@ class InputGate {
   std::vector<std::uint32_t> driven_;
   GeodeticOrigin origin_;
   CommandSurroundings around_;
-  std::atomic<bool> started_ = false;  ///< inputs have been collected
+  std::set<std::uint32_t> scene_probes_;  ///< ids
+  std::atomic<bool> started_ = false;     ///< inputs have been collected
   PoseLimits limits_;
   CommandQueue commands_;
   std::optional<Replay> replay_;

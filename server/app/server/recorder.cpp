@@ -17,15 +17,25 @@ constexpr std::int64_t kFlushIntervalNs = 1'000'000'000;
 
 }  // namespace
 
-Recorder::Recorder(const std::string& file, const CommandLogHeader& header) {
+Recorder::Recorder(const std::string& file) {
   if (file.empty()) return;
-  log_.emplace(file, header);
+  log_.emplace(file);
+  require_writable();
+  if (const CommandLogState log = log_->state(); log.file != file)
+    log_warning("command log: " + file + " is the record of another run and stays as it is; this run's is " + log.file);
+}
+
+void Recorder::begin(const CommandLogHeader& header) {
+  if (!log_) return;
+  log_->write(header);
+  require_writable();
+}
+
+void Recorder::require_writable() const {
   const CommandLogState log = log_->state();
   if (!log.fault.empty())
     throw std::invalid_argument("cannot write the command log " + log.file + ": " + log.fault +
                                 "; check the folder and the space left");
-  if (log.file != file)
-    log_warning("command log: " + file + " is the record of another run and stays as it is; this run's is " + log.file);
 }
 
 void Recorder::record(const World& world, const StepInputs& inputs, const std::vector<bool>& done,

@@ -15,8 +15,10 @@ namespace pelagos {
 /// each simulated second.
 class Recorder {
  public:
-  /// @param file  empty: nothing is kept. Throws std::invalid_argument if it cannot be written.
-  Recorder(const std::string& file, const CommandLogHeader& header);
+  /// Opens the log. @param file  empty: nothing is kept. Throws std::invalid_argument if it cannot be written.
+  explicit Recorder(const std::string& file);
+  /// Writes the first lines. Throws as above.
+  void begin(const CommandLogHeader& header);
 
   /// Inputs that the world has taken. Those that were refused or did nothing are left out.
   /// @param done  of each command, whether it had an effect
@@ -34,6 +36,7 @@ class Recorder {
 
  private:
   void watch(Announcer& announcer);
+  void require_writable() const;
 
   std::optional<CommandLogWriter> log_;
   bool fault_told_ = false;

@@ -11,6 +11,7 @@
 #include "pelagos_dds/log_sink.hpp"
 #include "server_log.hpp"
 #include "version/version.hpp"
+#include "world_status.hpp"
 
 namespace pelagos {
 
@@ -24,9 +25,11 @@ std::optional<Replay> replay_of(const ServerOptions& options) {
 
 Server::Server(const ServerOptions& options, const std::atomic<bool>& stop)
     : options_(options), stop_(stop), gate_(options.scene, replay_of(options)) {
-  status_.scene = options_.scene.name;
-  status_.starting = true;
-  board_.put_up(status_, std::nullopt);
+  status_ = starting_status(options_.scene);
+  status_.governed = options_.scene.governor.on && !gate_.replay();
+  recorder_.emplace(options_.command_log);
+  status_.command_log = recorder_->state();
+  air_ = starting_air(options_.scene);
   open_links();
   open_world();
   open_records();
@@ -51,7 +54,11 @@ ControlHooks Server::control_hooks() {
   hooks.find_refusal = [around = command_surroundings(options_.scene)](const Command& c) {
     return find_refusal(c, around);
   };
-  hooks.status = [this] { return *board_.status(); };
+  hooks.status = [this] {
+    ServerStatus status = *board_.status();
+    status.scheduled = static_cast<std::uint32_t>(gate_.scheduled_count());
+    return status;
+  };
   hooks.read_air = [this](const std::vector<Eigen::Vector3d>& position) { return board_.read_air(position); };
   hooks.log = [](LogLevel level, std::string_view text) {
     level == LogLevel::kInfo ? log_info(text) : level == LogLevel::kWarning ? log_warning(text) : log_error(text);
@@ -60,6 +67,7 @@ ControlHooks Server::control_hooks() {
 }
 
 void Server::open_links() {
+  board_.put_up(status_, air_);
   control_ = std::make_unique<ControlServer>(options_.control, control_hooks());
   log_info("control: listening on " + to_string(Endpoint{options_.control.host, control_->port()}));
 
@@ -70,7 +78,7 @@ void Server::open_links() {
   dds.log = [](std::string_view line) { log_warning(line); };
   participant_ = join_dds(dds);
   status_.open_links = find_open_links(*participant_, dds);
-  board_.put_up(status_, std::nullopt);
+  board_.put_up(status_, air_);
   PublisherSettings settings;
   settings.bodies_in_ned = options_.bodies_in_ned;
   publisher_ = std::make_unique<FramePublisher>(participant_, std::nullopt, settings, dds.log);
@@ -82,13 +90,16 @@ void Server::open_world() {
   WorldOptions world;
   world.threads = options_.threads;
   world.clock = monotonic_ns;
-  world.progress = [this](double) { return !stop_.load(); };
+  world.placed = [this](const World& placed) { tell_placed(placed); };
+  world.progress = [this](double part) {
+    status_.settled = part;
+    board_.put_up(status_, air_);
+    return !stop_.load();
+  };
   log_info(fmt::format("scene {}: placing and settling the water", options_.scene.name));
   world_ = std::make_unique<World>(options_.scene, world);
   for (const std::string& note : world_->bodies().mesh_notes()) log_info(note);
   for (const std::string& note : world_->start_notes()) log_warning("start: " + note);
-  status_.start_notes = world_->start_notes();
-  board_.put_up(status_, std::nullopt);
   log_info(
       fmt::format("scene {}: {} particles of {:g} m, {} distance fields of bodies, {} boundary samples ({} on bodies), "
                   "threads: {}; "
@@ -98,6 +109,15 @@ void Server::open_world() {
                   world_->bodies().sample_count(), options_.threads, options_.domain));
   publisher_->publish_scene_info(world_->describe());
   gate_.open(participant_, [](std::string_view line) { log_warning(line); });
+}
+
+/// While the water settles the status already holds what the world starts with.
+void Server::tell_placed(const World& world) {
+  fill_from(world, status_);
+  if (world.spill()) status_.oil = world.spill()->budget();
+  status_.start_notes = world.start_notes();
+  air_ = world.air();
+  board_.put_up(status_, air_);
 }
 
 void Server::open_records() {
@@ -116,7 +136,7 @@ void Server::open_records() {
     if (!log.end)
       log_warning("replay: the log has no end, as of a run that was killed; this one ends where the log does");
   }
-  recorder_.emplace(options_.command_log, header);
+  recorder_->begin(header);
 }
 
 ServerSummary Server::run() {

@@ -72,6 +72,7 @@ class Server {
   [[nodiscard]] ControlHooks control_hooks();
   void open_links();
   void open_world();
+  void tell_placed(const World& world);
   void open_records();
   /// Says how the replay ended. @return whether all that was compared had the same bits
   [[nodiscard]] bool tell_replay_end() const;
@@ -83,7 +84,8 @@ class Server {
   const std::atomic<bool>& stop_;
   InputGate gate_;
   StatusBoard board_;
-  ServerStatus status_;  ///< as the run starts
+  ServerStatus status_;     ///< as the run starts
+  std::optional<Air> air_;  ///< likewise
   std::unique_ptr<ControlServer> control_;
   std::shared_ptr<DdsParticipant> participant_;
   std::unique_ptr<FramePublisher> publisher_;

@@ -10,6 +10,7 @@
 #include "monotonic_clock.hpp"
 #include "pacer.hpp"
 #include "server_log.hpp"
+#include "world_status.hpp"
 
 namespace pelagos {
 
@@ -92,8 +93,7 @@ void SimulationLoop::take_inputs() {
                                           c.id, c.at, describe_command(c.command).text));
   }
   for (const InputGate::Refused& refused : batch_.refused)
-    parts_.announcer.announce("refused", refused.given.source,
-                              describe_command(refused.given.command).text + ": " + refused.why);
+    tell_refusal(refused.given.source, describe_command(refused.given.command).text + ": " + refused.why);
   watches_.look_at_requests(parts_.gate.dropped_requests(), parts_.announcer);
   if (batch_.inputs.empty()) return;
   std::vector<CommandOutcome> outcomes = world.take(batch_.inputs);
@@ -116,15 +116,18 @@ void SimulationLoop::answer(std::size_t index, const CommandOutcome& outcome, bo
   if (batch_.answers[index]) batch_.answers[index]({parts_.world.step(), outcome.refusal});
   const std::string& source = batch_.inputs.commands[index].source;
   const CommandNews news = describe_command(outcome.done);
-  if (outcome.refusal) {
-    parts_.announcer.announce("refused", source, news.text + ": " + to_string(*outcome.refusal));
-    return;
-  }
+  if (outcome.refusal) return tell_refusal(source, news.text + ": " + to_string(*outcome.refusal));
   if (!changed) return;
   if (std::holds_alternative<SetEffort>(outcome.done)) ++effort_changes_;
   parts_.announcer.announce(news.kind, source, news.text);
   if (std::holds_alternative<SetWaves>(outcome.done)) parts_.publisher.publish_sea(parts_.world.sea());
   if (std::holds_alternative<SetCurrent>(outcome.done)) watches_.look_at_current(parts_.world);
+}
+
+void SimulationLoop::tell_refusal(const std::string& source, const std::string& text) {
+  ++status_.commands_refused;
+  status_.last_refusal = fmt::format("{:.3f} s, {}: {}", parts_.world.time(), source, text);
+  parts_.announcer.announce("refused", source, text);
 }
 
 void SimulationLoop::stand_still() {
@@ -251,28 +254,15 @@ void SimulationLoop::put_up_status() {
   next_status_ns_ = monotonic_ns() + kStatusIntervalNs;
   announced_ = parts_.announcer.count();
   const PublisherCounters sent = parts_.publisher.counters();
-  status_.step = world.step();
-  status_.frame = world.frame();
-  status_.simulation_time = world.time();
+  fill_from(world, status_);
   status_.paused = clock_.paused();
-  status_.particles = static_cast<std::uint32_t>(world.fluid().particles.count);
-  status_.boundary_particles = static_cast<std::uint32_t>(world.fluid().walls.count);
   status_.kinetic_energy = last_report_.kinetic_energy;
   status_.largest_speed = last_report_.largest_speed;
   status_.frames_published = sent.published;
   status_.frames_dropped = sent.dropped;
   fill_pose_counts();
-  status_.wind = world.wind();
-  status_.current = world.current();
-  status_.moves_water = world.current_moves_water();
-  status_.sea = sea_status(world.sea(), world.time());
-  status_.scheduled = static_cast<std::uint32_t>(parts_.gate.scheduled_count());
-  status_.bodies = world.bodies().states();
-  status_.holds = world.bodies().holds();
   // Between frames only what commands change about the oil is looked at anew.
   if (world.spill() && (!status_.oil || !batch_.inputs.commands.empty())) status_.oil = world.spill()->budget();
-  status_.effort = world.effort();
-  status_.recoveries = world.restored_faults();
   status_.governed = governor_.has_value();
   status_.over_budget = governor_ && governor_->over_budget();
   if (auto log = parts_.recorder.state()) status_.command_log = std::move(*log);

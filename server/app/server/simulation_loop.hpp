@@ -57,6 +57,7 @@ class SimulationLoop {
   [[nodiscard]] std::optional<ServerEnd> ended(const std::atomic<bool>& stop) const;
   void take_inputs();
   void answer(std::size_t index, const CommandOutcome& outcome, bool changed);
+  void tell_refusal(const std::string& source, const std::string& text);
   void stand_still();
   void make_step();
   void publish_frame(StepReport& report);

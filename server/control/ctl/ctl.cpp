@@ -29,7 +29,10 @@ int print_error(const proto::v1::Error& error, bool json, std::ostream& out, std
 /// @param timed  whether the command came with a time
 std::string scheduled_text(std::uint64_t id, bool timed) {
   const std::string text = "scheduled as " + std::to_string(id);
-  return timed ? text : text + ": the server still places and settles its water; takes effect before the first step";
+  return timed ? text
+               : text +
+                     ": the server still places and settles its water; the first step decides, and an event and the "
+                     "status tell if it refuses";
 }
 
 int print_response(const Response& response, bool timed, bool json, std::ostream& out, std::ostream& err) {

@@ -179,6 +179,24 @@ std::string describe_open_links(const proto::v1::Status& status) {
   return text;
 }
 
+std::string describe_start(const proto::v1::Status& s) {
+  return s.particles() == 0 ? "placing the water" : format("settling the water, %.0f %% done", 100.0 * s.settled());
+}
+
+/// Time, speed, accuracy and traffic of the steps that were made.
+std::string describe_run(const proto::v1::Status& s) {
+  using ull = unsigned long long;
+  std::string text = format("time       %.2f s simulated, step %llu, frame %llu\n", s.simulation_time(), ull{s.step()},
+                            ull{s.frame()});
+  text += format("speed      %.2f of real time (%.2f achievable), %.2f ms for a step of %.2f ms\n",
+                 s.real_time_factor(), s.achievable_real_time_factor(), s.step_ms(), s.time_step() * 1e3);
+  text += format("density    error %.4f %%, largest %.4f, iterations %.1f + %.1f\n", s.density_error() * 100.0,
+                 s.largest_density(), s.density_iterations(), s.divergence_iterations());
+  text += format("motion     %.4g J kinetic, fastest %.2f m/s\n", s.kinetic_energy(), s.largest_speed());
+  text += format("frames     %llu published, %llu dropped\n", ull{s.frames_published()}, ull{s.frames_dropped()});
+  return text + describe_poses(s);
+}
+
 }  // namespace
 
 Json to_json(const Message& message) {
@@ -207,30 +225,25 @@ std::string describe(const proto::v1::Status& s) {
   using ull = unsigned long long;
   std::string text;
   text += "scene      " + s.scene() +
-          (s.starting() ? ", starting: the water is placed and settled"
+          (s.starting() ? ", starting: " + describe_start(s)
            : s.paused() ? ", paused"
                         : ", running") +
           "\n";
-  text += format("time       %.2f s simulated, step %llu, frame %llu\n", s.simulation_time(), ull{s.step()},
-                 ull{s.frame()});
-  text += format("speed      %.2f of real time (%.2f achievable), %.2f ms for a step of %.2f ms\n",
-                 s.real_time_factor(), s.achievable_real_time_factor(), s.step_ms(), s.time_step() * 1e3);
-  text += format("particles  %u of water, %u of boundaries, %u published\n", s.particles(), s.boundary_particles(),
-                 s.published_particles());
-  text += format("density    error %.4f %%, largest %.4f, iterations %.1f + %.1f\n", s.density_error() * 100.0,
-                 s.largest_density(), s.density_iterations(), s.divergence_iterations());
+  if (!s.starting()) text += describe_run(s);
+  if (s.particles() > 0)
+    text += format("particles  %u of water, %u of boundaries, %u published\n", s.particles(), s.boundary_particles(),
+                   s.published_particles());
   text += format("solver     tolerances %.3g + %.3g, steps up to %.2f ms, %u steps not converged, ",
                  s.density_tolerance(), s.divergence_tolerance(), s.max_step() * 1e3, s.unconverged_steps());
   text += s.over_budget() ? "governor at its bounds\n" : s.governed() ? "governed\n" : "no governor\n";
   if (s.recoveries() > 0) text += format("faults     %llu recovered from\n", ull{s.recoveries()});
-  text += format("motion     %.4g J kinetic, fastest %.2f m/s\n", s.kinetic_energy(), s.largest_speed());
-  text += format("frames     %llu published, %llu dropped\n", ull{s.frames_published()}, ull{s.frames_dropped()});
-  text += describe_poses(s);
   text += "wind       " + describe_wind(s) + "\n";
   if (s.has_oil()) text += "oil        " + describe_oil(s.oil()) + "\n";
   text += "current    " + describe_current(s) + "\n";
   text += "waves      " + describe_sea(s.sea()) + "\n";
   if (s.scheduled() > 0) text += format("schedule   %u commands wait\n", s.scheduled());
+  if (s.commands_refused() > 0)
+    text += format("refused    %llu, the last at ", ull{s.commands_refused()}) + s.last_refusal() + "\n";
   if (s.has_command_log()) text += "record     " + describe_record(s.command_log()) + "\n";
   for (const auto& body : s.body()) text += "body       " + describe_body(body) + "\n";
   text += format("stations   %u\n", s.stations());

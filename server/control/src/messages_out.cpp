@@ -148,6 +148,7 @@ proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
   message.set_frame(status.frame);
   message.set_simulation_time(status.simulation_time);
   message.set_starting(status.starting);
+  if (status.starting) message.set_settled(status.settled);
   message.set_paused(status.paused);
   message.set_real_time_factor(status.real_time_factor);
   message.set_achievable_real_time_factor(status.achievable_real_time_factor);
@@ -190,6 +191,8 @@ proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
   if (status.current) fill_current(status, *message.mutable_current());
   fill(status.sea, *message.mutable_sea());
   message.set_scheduled(status.scheduled);
+  message.set_commands_refused(status.commands_refused);
+  if (!status.last_refusal.empty()) message.set_last_refusal(printable(status.last_refusal, 1000));
   for (const BodyState& body : status.bodies) fill(body, *message.add_body());
   if (status.command_log) fill(*status.command_log, *message.mutable_command_log());
   for (const HoldReading& hold : status.holds)

@@ -210,8 +210,7 @@ CommandLogResult read_command_log_file(const std::filesystem::path& path) {
   return read_command_log_text(file.text, path.string());
 }
 
-CommandLogWriter::CommandLogWriter(const std::string& file, const CommandLogHeader& header) : file_(file) {
-  if (failed()) return;
+void CommandLogWriter::write(const CommandLogHeader& header) {
   proto::v1::CommandLog message;
   message.set_version(header.version);
   message.set_instruction_set(header.instruction_set);

@@ -12,8 +12,8 @@
 #include "scales/scales.hpp"
 #include "simulation/enclosed_waters.hpp"
 #include "simulation/fluid_setup.hpp"
+#include "simulation/scene_sea.hpp"
 #include "version/version.hpp"
-#include "waves/sea_state.hpp"
 #include "wind_surroundings.hpp"
 
 namespace pelagos {
@@ -39,14 +39,6 @@ Bodies make_bodies(TaskPool& pool, const Scene& scene) {
   throw std::invalid_argument(text);
 }
 
-WaveField make_sea(const Scene& scene, double gravity, double water_level) {
-  const FarSeaSettings& sea = scene.far_sea;
-  const double depth = sea_depth(scene);
-  if (!sea.waves.empty()) return {wave_components(sea.waves, gravity, depth), water_level, depth};
-  return {make_wave_components({sea.beaufort, sea.wave_to_deg, sea.components, scene.seed, gravity}), water_level,
-          depth};
-}
-
 std::optional<OpenSea> make_open_sea(const Scene& scene, const PatchFrame& frame) {
   const std::optional<OpenSeaShape> shape = open_sea_shape(scene, frame);
   return shape ? std::optional<OpenSea>(std::in_place, *shape) : std::nullopt;
@@ -55,7 +47,7 @@ std::optional<OpenSea> make_open_sea(const Scene& scene, const PatchFrame& frame
 StartingParticles place_water(TaskPool& pool, const Scene& scene, const Bodies& bodies, const PatchFrame& frame,
                               const std::optional<OpenSea>& open) {
   if (!open) return place_blocks(scene, bodies, frame);
-  const WaveField sea = make_sea(scene, scale_gravity(scene.gravity), frame.world_height(open->shape().level));
+  const WaveField sea = scene_sea(scene, frame.world_height(open->shape().level));
   return place_open_sea(open->fill(pool, sea, frame.origin.head<2>(), 0.0, largest_time_step(scene)),
                         scene.particle_spacing, bodies, frame);
 }
@@ -116,7 +108,7 @@ World::World(const Scene& scene, const WorldOptions& options)
       fluid_(make_start(*pool_, scene, bodies_, frame_, open_sea_)),
       free_particles_(fluid_.particles.count - fluid_.held.rows.size()),
       water_level_(start_level(*pool_, scene, bodies_, fluid_, frame_, open_sea_)),
-      sea_(make_sea(scene, around_.gravity, water_level_)),
+      sea_(scene_sea(scene, water_level_)),
       water_surface_(*pool_, {frame_, fluid_.parameters.patch, blend_of(open_sea_)}),
       drive_(scene, frame_, water_level_, fluid_.particles.count),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
@@ -129,12 +121,14 @@ World::World(const Scene& scene, const WorldOptions& options)
     if (const auto outcome = apply(SetProbe{probe}); outcome.refusal)
       throw std::invalid_argument("probe " + std::to_string(probe.id) + ": " + to_string(*outcome.refusal));
   if (scene_.wind) wind_.emplace(wind_surroundings(scene_, frame_, water_level_), *scene_.wind);
+  if (scene_.current) set_current(*scene_.current, 0.0);
+  if (scene_.oil) spill_.emplace(scene_, fluid_, frame_, water_level_);
   note_start();
+  if (options_.placed) options_.placed(*this);
   settle();
   for (std::size_t i = 0; i < fluid_.particles.count; ++i)
     fluid_.particles.acceleration[i] = {0.0F, 0.0F, static_cast<float>(-scene_.gravity), 0.0F};
   if (scene_.current) start_current();
-  if (scene_.oil) spill_.emplace(scene_, fluid_, frame_, water_level_);
   keep_recovery_point();
 }
 

@@ -179,7 +179,6 @@ std::optional<CurrentSettings> World::current() const {
 }
 
 void World::start_current() {
-  set_current(*scene_.current, 0.0);
   FluidParticles& p = fluid_.particles;
   if (drive_.any()) drive_.start(*pool_, *current_.running, clock_.time(), p.position, p.count, p.velocity);
   bodies_.start_drift(*current_.running, clock_.time(), water_level_, fluid_.parameters.rest_density);

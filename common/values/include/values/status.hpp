@@ -56,6 +56,7 @@ struct ServerStatus {
   std::uint64_t frame = 0;
   double simulation_time = 0.0;  ///< s
   bool starting = false;         ///< the water is being placed and settled: no step has been made
+  double settled = 0.0;          ///< 0..1: the part of that which is done
   bool paused = false;
   double real_time_factor = 0.0;             ///< simulated seconds per wall second
   double achievable_real_time_factor = 0.0;  ///< simulated seconds per second spent stepping: above 1 is headroom
@@ -86,7 +87,9 @@ struct ServerStatus {
   std::optional<CurrentSettings> current;         ///< as running now (mid-ramp velocity included)
   std::array<bool, 2> moves_water{false, false};  ///< for x, y: whether the water itself moves with a current
   SeaStatus sea;
-  std::uint32_t scheduled = 0;  ///< commands that wait for their time
+  std::uint32_t scheduled = 0;         ///< commands that wait for their time
+  std::uint64_t commands_refused = 0;  ///< at a step boundary, since the start
+  std::string last_refusal;            ///< the last of them: when, who, what and why; empty: there is none
   std::vector<BodyState> bodies;
   std::vector<HoldReading> holds;              ///< of the bodies that have one
   std::vector<std::string> start_notes;        ///< what the operator should know about the start of the scene

@@ -73,9 +73,11 @@ struct CommandLogResult {
 /// read, should the program be killed. The log of another run is never overwritten (files/append_file.hpp).
 class CommandLogWriter {
  public:
-  /// @param file  where one holds something already, file.1 is written, or file.2, ... What failed is told by `failed`.
-  CommandLogWriter(const std::string& file, const CommandLogHeader& header);
+  /// Opens the file. Where one holds something already, file.1 is written, or file.2, ... What failed is told by
+  /// `failed`.
+  explicit CommandLogWriter(const std::string& file) : file_(file) {}
 
+  void write(const CommandLogHeader& header);  ///< before all else
   void write(const LoggedCommand& command);
   void write(const LoggedPose& pose);
   void write(const CommandLogCheck& check);

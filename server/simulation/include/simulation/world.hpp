@@ -29,11 +29,15 @@
 
 namespace pelagos {
 
+class World;
+
 struct WorldOptions {
   int threads = 1;        ///< that advance the world, >= 1
   Clock clock = nullptr;  ///< for the profile of the stages; null: none is kept
   /// Called now and then while the start is relaxed, with the part done, 0..1; false ends the relaxation early.
   std::function<bool(double)> progress;
+  /// Called once, before the start is relaxed: all but the water's motion is as it will be at the first step.
+  std::function<void(const World&)> placed = {};
 };
 
 /// What became of values that are not finite.
