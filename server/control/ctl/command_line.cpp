@@ -31,7 +31,8 @@ constexpr const char* kExamples = R"(Examples:
   pelagos-ctl boom north 34 8 40 20 34 32 --draft 0.6  a barrier along three points
   pelagos-ctl skimmer rig 37.5 20 --rate 30            takes oil from there; rig --remove ends it
   pelagos-ctl probe 1 30 5                             measures the waves there
-  pelagos-ctl schedule; pelagos-ctl cancel 3           what waits for its time; not that
+  pelagos-ctl schedule                                 the commands that wait for their time, with their numbers
+  pelagos-ctl cancel 3                                 the one with number 3 in that list will not be done
   pelagos-ctl pause; pelagos-ctl step 10; pelagos-ctl resume
   pelagos-ctl events --count 5                         the next five events
   pelagos-ctl --server 192.168.1.20:7410 status
@@ -166,7 +167,8 @@ void CommandLine::add_commands() {
   step = app.add_subcommand("step", "While paused, advance by some time steps");
   command = app.add_subcommand("command", "Give any command, written as in an event of a scene");
   schedule = app.add_subcommand("schedule", "Print the commands that wait for their time");
-  cancel = app.add_subcommand("cancel", "Take a command that waits out of the schedule");
+  cancel = app.add_subcommand(
+      "cancel", "Take one command that waits for its time (--at, or an event of the scene) out of the schedule");
   events = app.add_subcommand("events", "Print events as they happen");
   wind_at->add_option("places", options.places, "X Y Z of each place (up to 100), m, world frame: x east, z up")
       ->required()
@@ -174,7 +176,10 @@ void CommandLine::add_commands() {
   step->add_option("steps", options.steps, "How many (1 to 10000)")->capture_default_str();
   command->add_option("text", options.command, "e.g. 'set_current { current { speed: 1 to_deg: 90 } ramp: 30 }'")
       ->required();
-  cancel->add_option("id", options.cancelled, "Its number in the schedule")->required();
+  cancel
+      ->add_option("id", options.cancelled,
+                   "Its number, as `pelagos-ctl schedule` and the answer to the command tell it")
+      ->required();
   events->add_option("--count", options.event_count, "Stop after so many")->check(NumberFrom(1.0, 1e15));
   events->add_option("--duration", options.event_duration, "Stop after so many seconds")->check(NumberFrom(0.01, 1e9));
 }

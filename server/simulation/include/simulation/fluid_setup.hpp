@@ -11,7 +11,7 @@
 
 namespace pelagos {
 
-/// The scene's numbers as physics wants them, defaults filled in. @param frame  of the patch
+/// The scene's numbers as physics takes them, defaults filled in. @param frame  of the patch
 [[nodiscard]] FluidParameters fluid_parameters(const Scene& scene, const PatchFrame& frame);
 
 /// Sets scheme, methods and tolerances.
