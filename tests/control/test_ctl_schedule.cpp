@@ -70,6 +70,13 @@ TEST_F(CtlSchedule, ListsAndCancels) {
   EXPECT_EQ(ask({"cancel"}).code, 2);
 }
 
+TEST_F(CtlSchedule, ListsNumbersWithSevenDigits) {
+  ask({"current", "--speed", "1", "--to", "90", "--ramp", "0.30000000000000004", "--at", "30"});
+  EXPECT_THAT(ask({"schedule"}).out, AllOf(HasSubstr("ramp: 0.3 "), Not(HasSubstr("e-17"))));
+  status_.scheduled = 1;
+  EXPECT_THAT(ask({"status"}).out, HasSubstr("schedule   1 command waits\n"));
+}
+
 TEST_F(CtlSchedule, PrintsTheCurrent) {
   status_.current = CurrentSettings{current_velocity(1.5, 90.0), CurrentShear::kNone, 0.0, 10.0};
   EXPECT_THAT(ask({"status"}).out, HasSubstr("current    1.50 m/s to 090, carries only what drifts"));

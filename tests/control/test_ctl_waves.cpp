@@ -103,7 +103,9 @@ TEST_F(CtlWaves, StatusTellsTheSeaAndItsBlend) {
               HasSubstr("waves      1, significant height 2.83 m, the highest of 6.3 s (62.83 m) to 090\n"));
   ASSERT_TRUE(sea.exchange({}, 10.0, 20.0));
   status_.sea = sea_status(sea, 20.0);
-  EXPECT_THAT(ask({"status"}).out, HasSubstr("waves      flat; blending: 50 % there, 10.0 s to go, 1 before\n"));
+  EXPECT_THAT(ask({"status"}).out,
+              HasSubstr("waves      flat; they replace the waves before them: 50 % done, 10.0 s left, "
+                        "earlier seas that still run: 1\n"));
   EXPECT_THAT(ask({"status", "--json"}).out, HasSubstr("\"share\":0.5,\"blend_left\":10.0,\"earlier\":1"));
 }
 

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 namespace pelagos {
 namespace {
@@ -93,6 +95,26 @@ std::string describe_oil(const proto::v1::OilStatus& oil) {
   return text;
 }
 
+constexpr double kRounding = 1e-12;  ///< what is smaller is left over from rounding: the east part of a north wind
+
+/// Rounds all numbers to seven significant digits, for people.
+void round_numbers(Message& message) {
+  const auto& reflection = *message.GetReflection();
+  std::vector<const FieldDescriptor*> fields;
+  reflection.ListFields(message, &fields);
+  for (const FieldDescriptor* field : fields) {
+    if (field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
+      if (!field->is_repeated()) round_numbers(*reflection.MutableMessage(&message, field));
+      for (int k = 0; field->is_repeated() && k < reflection.FieldSize(message, field); ++k)
+        round_numbers(*reflection.MutableRepeatedMessage(&message, field, k));
+    } else if (field->cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE && !field->is_repeated()) {
+      const double value = reflection.GetDouble(message, field);
+      reflection.SetDouble(&message, field,
+                           std::fabs(value) < kRounding ? 0.0 : std::strtod(format("%.7g", value).c_str(), nullptr));
+    }
+  }
+}
+
 std::string describe_wind(const proto::v1::Status& status) {
   if (!status.has_wind()) return "none";
   const auto& wind = status.wind();
@@ -124,8 +146,9 @@ std::string describe_sea(const proto::v1::SeaStatus& sea) {
     text = format("%u, significant height %.2f m, the highest of %.1f s (%.4g m) to %03.0f", sea.waves(),
                   sea.significant_height(), sea.highest_period(), sea.highest_length(), sea.highest_to_deg());
   if (!sea.has_share()) return text;
-  return text + format("; blending: %.0f %% there, %.1f s to go, %u before", 100.0 * sea.share(), sea.blend_left(),
-                       sea.earlier());
+  return text +
+         format("; they replace the waves before them: %.0f %% done, %.1f s left, earlier seas that still run: %u",
+                100.0 * sea.share(), sea.blend_left(), sea.earlier());
 }
 
 std::string describe_record(const proto::v1::CommandLogStatus& log) {
@@ -241,7 +264,8 @@ std::string describe(const proto::v1::Status& s) {
   if (s.has_oil()) text += "oil        " + describe_oil(s.oil()) + "\n";
   text += "current    " + describe_current(s) + "\n";
   text += "waves      " + describe_sea(s.sea()) + "\n";
-  if (s.scheduled() > 0) text += format("schedule   %u commands wait\n", s.scheduled());
+  if (s.scheduled() > 0)
+    text += format("schedule   %u command%s\n", s.scheduled(), s.scheduled() == 1 ? " waits" : "s wait");
   if (s.commands_refused() > 0)
     text += format("refused    %llu, the last at ", ull{s.commands_refused()}) + s.last_refusal() + "\n";
   if (s.has_command_log()) text += "record     " + describe_record(s.command_log()) + "\n";
@@ -261,6 +285,7 @@ std::string describe(const proto::v1::Schedule& schedule) {
     proto::v1::TimedCommand what = waiting.command();
     what.clear_at();
     what.clear_source();
+    round_numbers(what);
     std::string words;
     printer.PrintToString(what, &words);
     text += format("%6llu  %9.3f s  ", static_cast<unsigned long long>(waiting.id()), waiting.command().at()) + words +
