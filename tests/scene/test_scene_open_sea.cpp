@@ -48,6 +48,22 @@ TEST(SceneOpenSea, HasZonesOfFifteenSpacings) {
                         "of at least 46 m with such zones"));
 }
 
+TEST(SceneOpenSea, MovesAcrossOpenEdgesOnly) {
+  const auto with = [](const char* course) {
+    std::string scene =
+        "name: \"flume\" particle_spacing: 1\n"
+        "patch { min { x: -24 y: -2 z: -5 } max { x: 24 y: 2 z: 9 } }\n"
+        "patch_edges { x: OPEN y: PERIODIC }\n"
+        "water { block { min { x: -24 y: -2 z: -5 } max { x: 24 y: 2 z: 0 } } }\n"
+        "open_sea { zone_width: 8 follow { track { speed: 4 course_deg: ";
+    return read_scene_text(scene + course + " } } }", "flume.scene");
+  };
+  EXPECT_TRUE(with("90")) << with("90").report();
+  EXPECT_TRUE(with("270"));
+  EXPECT_THAT(with("30").report(),
+              HasSubstr("open_sea.follow: moves the patch along y; allowed: where patch_edges are OPEN"));
+}
+
 struct Fault {
   const char* name;
   const char* more;

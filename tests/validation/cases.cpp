@@ -36,6 +36,16 @@ const std::vector<Case>& all_cases() {
        "are held under water.",
        "Over the bed no loss: between mirrors the same wave loses 0.2 % a period. Force on bodies: Archimedes.",
        run_solid_surfaces},
+      {"open_sea", "Open sea: waves through a patch with open edges",
+       "Waves of the wave field run in and out through the edges of a patch, 1 m between particles. Regular waves, "
+       "height "
+       "length / 40, in a slice of 100 x 4 x 10 m with zones of 20 m for 20 periods; heights of the inner half over "
+       "the "
+       "last 60 % are fitted. JONSWAP seas with directions even over +-30 degrees in 80 x 80 x 6 m, zones of 15 m; 40 "
+       "gauges over the inner 40 x 30 m, from 20 s on, the patch at rest or moving. Calm: the heights of a sea without "
+       "waves, 50 to 60 s.",
+       "The wave field itself. Gain: sum h h_theory / sum h_theory^2; correlation: Pearson's of all gauges together.",
+       run_open_sea},
       {"dam_break_front", "Dam break: the front",
        "A column twice as high as wide runs along a frictionless floor. The front is the largest x of the water that "
        "hangs together, plus half a spacing.",

@@ -116,6 +116,7 @@ void run_dam_break_pressure(Session& session);
 void run_taylor_green(Session& session);
 void run_solid_surfaces(Session& session);
 void run_square_patch(Session& session);
+void run_open_sea(Session& session);
 void run_paper_dam_break(Session& session);
 void run_wind(Session& session);
 void run_paper_wind(Session& session);

@@ -7,7 +7,7 @@
 
 namespace pelagos::validation {
 
-WorldRun::WorldRun(int threads, const Scene& scene) : world_(scene, {threads, nullptr, {}}) {}
+WorldRun::WorldRun(int threads, const Scene& scene) : world_(scene, {threads, monotonic_ns, {}}) {}
 
 StepReport WorldRun::step() {
   const std::int64_t begin = monotonic_ns();
@@ -16,6 +16,7 @@ StepReport WorldRun::step() {
   if (step.fault != StepFault::kNone)
     throw std::runtime_error("values are not finite at " + std::to_string(world_.time()) + " s");
   sums_.add(step.report);
+  for (std::size_t k = 0; k < kStageCount; ++k) times_.ns[k] += step.report.times.ns[k];
   return step.report;
 }
 

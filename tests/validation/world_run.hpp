@@ -19,12 +19,14 @@ class WorldRun {
 
   [[nodiscard]] World& world() { return world_; }
   [[nodiscard]] RunCost cost() const;
+  [[nodiscard]] const StageTimes& times() const { return times_; }  ///< of all steps
 
  private:
   StepReport step();
 
   World world_;
   StepSums sums_;
+  StageTimes times_;
   double wall_s_ = 0;
 };
 

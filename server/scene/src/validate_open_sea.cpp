@@ -77,6 +77,17 @@ void read_track(const FieldReader& track, OpenSeaSettings& open) {
   track.read("course_deg", {0.0, 360.0, "degrees clockwise from north"}, course);
   const double angle = course * std::numbers::pi / 180.0;
   open.follow_velocity = speed * Eigen::Vector2d(std::sin(angle), std::cos(angle));
+  for (double& part : open.follow_velocity)  // a course of 90 degrees does not go north
+    if (std::abs(part) < 1e-9 * speed) part = 0.0;
+}
+
+/// The patch moves across open edges only.
+void check_ways(const FieldReader& follow, const Scene& scene) {
+  for (int axis = 0; axis < 2; ++axis) {
+    const bool moves = scene.open_sea.follow_body != 0 || scene.open_sea.follow_velocity[axis] != 0.0;
+    if (moves && scene.patch_edges[static_cast<std::size_t>(axis)] != PatchEdge::kOpen)
+      follow.fault("", std::string("moves the patch along ") + kSides[axis] + "; allowed: where patch_edges are OPEN");
+  }
 }
 
 void read_follow(const FieldReader& entry, Scene& scene) {
@@ -87,20 +98,22 @@ void read_follow(const FieldReader& entry, Scene& scene) {
                          "; allowed: exactly one");
     return;
   }
-  if (scene.patch_edges[0] != PatchEdge::kOpen || scene.patch_edges[1] != PatchEdge::kOpen)
-    follow.fault("", "needs patch_edges that are OPEN along x and y");
   const auto fixed = std::find_if(scene.bodies.begin(), scene.bodies.end(),
                                   [](const BodySettings& body) { return body.drive == BodyDrive::kStatic; });
   if (fixed != scene.bodies.end())
     follow.fault("", "moves the patch away from body " + std::to_string(fixed->id) +
                          ", which is STATIC; allowed with follow: bodies that move");
-  if (follow.has("track")) return read_track(follow.child("track"), scene.open_sea);
+  if (follow.has("track")) {
+    read_track(follow.child("track"), scene.open_sea);
+    return check_ways(follow, scene);
+  }
   follow.read("body", {1, 4294967295.0}, scene.open_sea.follow_body);
   const bool known = std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                  [&](const BodySettings& body) { return body.id == scene.open_sea.follow_body; });
   if (!known)
     follow.fault("body",
                  std::to_string(scene.open_sea.follow_body) + " is no body of the scene; allowed: the id of one");
+  check_ways(follow, scene);
 }
 
 }  // namespace
