@@ -151,6 +151,21 @@ TEST(OpenSea, IsTheSameFarFromTheOrigin) {
   EXPECT_LT(surface_error(other).error, 0.06);
 }
 
+TEST(OpenSea, TellsHowItFollowsTheWaves) {
+  World world(following(5.0, 0.0), {2, nullptr, {}});
+  EXPECT_FALSE(World(test::small_patch(), {1, nullptr, {}}).edge_quality().has_value()) << "not of a tank";
+  run(world, 6.0);
+  const EdgeQuality quality = world.edge_quality().value();
+  ASSERT_TRUE(quality.height_ratio.has_value());
+  EXPECT_NEAR(*quality.height_ratio, 1.0, 0.12);
+  EXPECT_NEAR(quality.significant_height, 4.0 * 0.4 / std::sqrt(2.0), 1e-6);
+  EXPECT_LT(std::abs(quality.level), 0.1);
+  EXPECT_GT(quality.mismatch, 0.001);
+  EXPECT_LT(quality.mismatch, 0.2);
+  EXPECT_GE(quality.created, 29U * 26U * 5U) << "one column for each metre";
+  EXPECT_GT(quality.deleted, 3000U);
+}
+
 TEST(OpenSea, StartsAnewUnderABodyThatJumps) {
   const test::CubeFile cube;
   Scene scene = open_patch();

@@ -2,12 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "monotonic_clock.hpp"
 #include "server_log.hpp"
 
 namespace pelagos {
 
 namespace {
+
+/// Beyond these an open sea is worth a warning: its level in spacings, and how far its waves are from those around.
+constexpr double kLevelOff = 0.5, kHeightOff = 0.2;
 
 constexpr std::int64_t kRefusalsIntervalNs = 10'000'000'000;  // between two events about poses
 
@@ -29,8 +34,9 @@ const char* describe_health(PoseHealth health) {
 
 void Watches::look(const World& world, const Snapshot& frame, Announcer& announcer) {
   look_at_health(frame.bodies, announcer);
-  look_at_places(world.scene().patch, frame.bodies, announcer);
+  look_at_places(world.patch().box, frame.bodies, announcer);
   for (const std::string& news : holds_.look(world.bodies().holds())) announcer.announce("hold", "server", news);
+  look_at_edges(world, announcer);
   if (frame.oil) look_at_oil(frame.oil->budget, world.time(), announcer);
 }
 
@@ -57,6 +63,24 @@ void Watches::look_at_places(const Box& patch, const std::vector<BodyState>& sta
     announcer.announce(outside ? "body_outside" : "body_inside", "server",
                        where + (outside ? "has left the patch" : "is inside the patch again"));
   }
+}
+
+void Watches::look_at_edges(const World& world, Announcer& announcer) {
+  const std::optional<EdgeQuality> edges = world.edge_quality();
+  if (!edges) return;
+  const double spacing = world.scene().particle_spacing;
+  const bool level = std::abs(edges->level) > kLevelOff * spacing;
+  const bool waves = edges->height_ratio && std::abs(*edges->height_ratio - 1.0) > kHeightOff &&
+                     edges->significant_height > kLevelOff * spacing;
+  if ((level || waves) == edges_off_) return;
+  edges_off_ = level || waves;
+  const std::string figures = fmt::format("level {:+.2f} m, waves inside {:.2f} of those around", edges->level,
+                                          edges->height_ratio.value_or(1.0));
+  const std::string text = edges_off_ ? "the patch does not follow the open sea: " + figures +
+                                            "; a larger patch, wider zones or a slower ship help"
+                                      : "the patch follows the open sea again: " + figures;
+  if (edges_off_) log_warning(text);
+  announcer.announce("edges", "server", text);
 }
 
 void Watches::look_at_oil(const OilBudget& oil, double time, Announcer& announcer) {

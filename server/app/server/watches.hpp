@@ -25,6 +25,8 @@ class Watches {
   void look_at_health(const std::vector<BodyState>& states, Announcer& announcer);
   void look_at_places(const Box& patch, const std::vector<BodyState>& states, Announcer& announcer);
   void look_at_oil(const OilBudget& oil, double time, Announcer& announcer);
+  /// Tells when the water of an open sea no longer follows the waves around it, and when it does again.
+  void look_at_edges(const World& world, Announcer& announcer);
 
   SpillWatch spill_;
   HoldWatch holds_;
@@ -34,6 +36,7 @@ class Watches {
   std::uint64_t requests_dropped_ = 0;  ///< for probes, told so far
   std::int64_t next_refusals_ns_ = 0, next_dropped_ns_ = 0;
   bool closed_axes_noticed_ = false;
+  bool edges_off_ = false;
 };
 
 }  // namespace pelagos

@@ -57,6 +57,7 @@ void fill_from(const World& world, ServerStatus& status) {
   status.current = world.current();
   status.moves_water = world.current_moves_water();
   status.sea = sea_status(world.sea(), world.time());
+  status.edges = world.edge_quality();
   status.bodies = world.bodies().states();
   status.holds = world.bodies().holds();
   status.effort = world.effort();

@@ -140,6 +140,16 @@ std::string describe_current(const proto::v1::Status& status) {
   return text + (axes.empty() ? ", carries only what drifts" : ", moves the water along " + axes);
 }
 
+std::string describe_edges(const proto::v1::EdgeStatus& edges) {
+  using ull = unsigned long long;
+  std::string text = format("level %+.2f m, ", edges.level());
+  if (edges.has_height_ratio())
+    text += format("waves inside %.2f of those around (%.2f m significant), ", edges.height_ratio(),
+                   edges.significant_height());
+  return text + format("zones absorb %.2f m/s, %llu particles created, %llu taken out", edges.mismatch(),
+                       ull{edges.created()}, ull{edges.deleted()});
+}
+
 std::string describe_sea(const proto::v1::SeaStatus& sea) {
   std::string text = "flat";
   if (sea.waves() > 0)
@@ -264,6 +274,7 @@ std::string describe(const proto::v1::Status& s) {
   if (s.has_oil()) text += "oil        " + describe_oil(s.oil()) + "\n";
   text += "current    " + describe_current(s) + "\n";
   text += "waves      " + describe_sea(s.sea()) + "\n";
+  if (s.has_edges()) text += "edges      " + describe_edges(s.edges()) + "\n";
   if (s.scheduled() > 0)
     text += format("schedule   %u command%s\n", s.scheduled(), s.scheduled() == 1 ? " waits" : "s wait");
   if (s.commands_refused() > 0)

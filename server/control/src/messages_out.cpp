@@ -132,6 +132,15 @@ void fill(const BodyState& from, proto::v1::BodyStatus& to) {
   if (from.pose_age >= 0.0) to.set_pose_age(from.pose_age);
 }
 
+void fill(const EdgeQuality& from, proto::v1::EdgeStatus& to) {
+  to.set_level(from.level);
+  if (from.height_ratio) to.set_height_ratio(*from.height_ratio);
+  to.set_significant_height(from.significant_height);
+  to.set_mismatch(from.mismatch);
+  to.set_created(from.created);
+  to.set_deleted(from.deleted);
+}
+
 void fill(const CommandLogState& from, proto::v1::CommandLogStatus& to) {
   to.set_file(printable(from.file, 1000));
   if (!from.fault.empty()) to.set_fault(printable(from.fault));
@@ -190,6 +199,7 @@ proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
   if (status.wind) fill(*status.wind, *message.mutable_wind());
   if (status.current) fill_current(status, *message.mutable_current());
   fill(status.sea, *message.mutable_sea());
+  if (status.edges) fill(*status.edges, *message.mutable_edges());
   message.set_scheduled(status.scheduled);
   message.set_commands_refused(status.commands_refused);
   if (!status.last_refusal.empty()) message.set_last_refusal(printable(status.last_refusal, 1000));

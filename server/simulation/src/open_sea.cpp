@@ -192,12 +192,14 @@ void OpenSea::give(TaskPool& pool, const WaveField& sea, const Eigen::Vector2d& 
   FloorMaker(low_place, low_velocity, shape_.level - shape_.depth, fluid.floor).make(pool);
 }
 
-void OpenSea::draw(TaskPool& pool, const WaveField& sea, const Eigen::Vector2d& anchor, double time, double dt,
-                   FluidState& fluid) const {
+ZoneMismatch OpenSea::draw(TaskPool& pool, const WaveField& sea, const Eigen::Vector2d& anchor, double time, double dt,
+                           FluidState& fluid) const {
   const WaveMoment at_place = moment(sea, anchor, time), at_velocity = moment(sea, anchor, time + 0.5 * dt);
   FluidParticles& p = fluid.particles;
   const auto level = static_cast<float>(shape_.level), highest = kHighestLabel * static_cast<float>(shape_.spacing);
+  std::vector<ZoneMismatch> partial((p.count + kBlock - 1) / kBlock);
   pool.for_each_range(p.count, kBlock, [&](std::size_t begin, std::size_t end) {
+    ZoneMismatch& sum = partial[begin / kBlock];
     LabelBatch batch;
     std::array<std::uint32_t, LabelBatch::kMost> row{};
     std::array<float, LabelBatch::kMost> share{};
@@ -214,10 +216,13 @@ void OpenSea::draw(TaskPool& pool, const WaveField& sea, const Eigen::Vector2d& 
       for (std::size_t n = 0; n < batch.count; ++n) {
         const Float4& v = p.velocity[row[n]];
         Float4& a = p.acceleration[row[n]];
-        a.x += share[n] * (batch.a[n] - v.x);
-        a.y += share[n] * (batch.b[n] - v.y);
-        a.z += share[n] * (batch.c[n] - v.z);
+        const float x = batch.a[n] - v.x, y = batch.b[n] - v.y, z = batch.c[n] - v.z;
+        a.x += share[n] * x;
+        a.y += share[n] * y;
+        a.z += share[n] * z;
+        sum.squares += static_cast<double>(x * x + y * y + z * z);
       }
+      sum.count += static_cast<double>(batch.count);
       batch.clear();
     };
     for (std::size_t i = begin; i < end; ++i) {
@@ -235,6 +240,9 @@ void OpenSea::draw(TaskPool& pool, const WaveField& sea, const Eigen::Vector2d& 
     }
     pull();
   });
+  ZoneMismatch total;
+  for (const ZoneMismatch& part : partial) total += part;
+  return total;
 }
 
 Renewal OpenSea::renew(TaskPool& pool, std::size_t wanted, FluidState& fluid) const {

@@ -228,13 +228,23 @@ void World::give_edges(double now, double dt, StepReport& report) {
 void World::draw_edges(double now, double dt, StepReport& report) {
   if (!open_sea_) return;
   const StageScope scope(report.times, options_.clock, Stage::kEdges);
-  open_sea_->draw(*pool_, sea_, frame_.origin.head<2>(), now + dt, dt, fluid_);
+  edge_watch_.add_zones(open_sea_->draw(*pool_, sea_, frame_.origin.head<2>(), now + dt, dt, fluid_), dt);
+  if (step_ % kRenewalSteps == 0)
+    edge_watch_.add_heights(open_sea_->shape(), water_surface_.grid(fluid_),
+                            open_sea_->moment(sea_, frame_.origin.head<2>(), now + dt), kRenewalSteps * dt);
 }
 
 void World::renew_edges() {
   if (!open_sea_ || step_ % kRenewalSteps != 0 || step_ == 0) return;
   const Renewal renewal = open_sea_->renew(*pool_, free_particles_, fluid_);
+  edge_watch_.count(renewal);
   if (renewal.deleted > 0) water_surface_.forget();
+}
+
+std::optional<EdgeQuality> World::edge_quality() const {
+  if (!open_sea_) return std::nullopt;
+  return edge_watch_.quality(open_sea_->shape(), fluid_.particles.count - fluid_.held.rows.size(), free_particles_,
+                             open_sea_->moment(sea_, frame_.origin.head<2>(), clock_.time()));
 }
 
 /// Keeps the patch within a spacing of what it follows.
@@ -251,8 +261,8 @@ void World::follow(double dt) {
     if (std::abs(lag[axis]) < d) continue;
     const int way = lag[axis] > 0.0 ? 1 : -1;
     move_patch(frame_.moved(way * d * Eigen::Vector3d::Unit(axis)));
-    (void)open_sea_->shift(*pool_, sea_, frame_.origin.head<2>(), clock_.time(), dt, static_cast<std::size_t>(axis),
-                           way, fluid_);
+    edge_watch_.count(open_sea_->shift(*pool_, sea_, frame_.origin.head<2>(), clock_.time(), dt,
+                                       static_cast<std::size_t>(axis), way, fluid_));
   }
 }
 

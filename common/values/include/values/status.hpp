@@ -9,6 +9,7 @@
 
 #include "values/body.hpp"
 #include "values/current.hpp"
+#include "values/edge_quality.hpp"
 #include "values/effort.hpp"
 #include "values/hold_reading.hpp"
 #include "values/oil_budget.hpp"
@@ -87,6 +88,7 @@ struct ServerStatus {
   std::optional<CurrentSettings> current;         ///< as running now (mid-ramp velocity included)
   std::array<bool, 2> moves_water{false, false};  ///< for x, y: whether the water itself moves with a current
   SeaStatus sea;
+  std::optional<EdgeQuality> edges;    ///< nothing where no edge is open
   std::uint32_t scheduled = 0;         ///< commands that wait for their time
   std::uint64_t commands_refused = 0;  ///< at a step boundary, since the start
   std::string last_refusal;            ///< the last of them: when, who, what and why; empty: there is none

@@ -47,6 +47,17 @@ struct Renewal {
   std::size_t spray = 0;    ///< of these, drops that flew over the rim
 };
 
+/// How far the water of the zones is from the theory's motion.
+struct ZoneMismatch {
+  double squares = 0.0;  ///< m^2/s^2, sum of |v - V|^2
+  double count = 0.0;    ///< particles
+  ZoneMismatch& operator+=(const ZoneMismatch& other) {
+    squares += other.squares;
+    count += other.count;
+    return *this;
+  }
+};
+
 /// That of a scene with open edges; nothing of others. @param frame  of the patch
 [[nodiscard]] std::optional<OpenSeaShape> open_sea_shape(const Scene& scene, const PatchFrame& frame);
 /// m, of the scene's sea; kInfiniteDepth where it gives none.
@@ -66,8 +77,8 @@ class OpenSea {
             FluidState& fluid) const;
 
   /// After a step that has reached `time`: draws the zones' water to the theory, into its acceleration.
-  void draw(TaskPool& pool, const WaveField& sea, const Eigen::Vector2d& anchor, double time, double dt,
-            FluidState& fluid) const;
+  ZoneMismatch draw(TaskPool& pool, const WaveField& sea, const Eigen::Vector2d& anchor, double time, double dt,
+                    FluidState& fluid) const;
 
   /// Between steps: takes out what has left, and some of what is too much near the surface of the zones.
   /// @param wanted  particles that are not held, at the mean level
@@ -92,11 +103,11 @@ class OpenSea {
   /// How strongly water at a place is drawn, 0..1.
   [[nodiscard]] double draw_share(double x, double y) const;
 
- private:
-  [[nodiscard]] double rim() const { return kRimColumns * shape_.spacing; }
-
   /// The waves that the patch takes part in.
   [[nodiscard]] WaveMoment moment(const WaveField& sea, const Eigen::Vector2d& anchor, double time) const;
+
+ private:
+  [[nodiscard]] double rim() const { return kRimColumns * shape_.spacing; }
 
   OpenSeaShape shape_;
 };

@@ -10,6 +10,7 @@
 #include "physics/water_step.hpp"
 #include "simulation/bodies.hpp"
 #include "simulation/current_drive.hpp"
+#include "simulation/edge_watch.hpp"
 #include "simulation/frame_clock.hpp"
 #include "simulation/oil_spill.hpp"
 #include "simulation/open_sea.hpp"
@@ -137,6 +138,8 @@ class World {
   [[nodiscard]] GivenNames names() const;
   /// The oil; nothing in a scene without.
   [[nodiscard]] const std::optional<OilSpill>& spill() const { return spill_; }
+  /// How well the water follows the wave field; nothing where no edge is open.
+  [[nodiscard]] std::optional<EdgeQuality> edge_quality() const;
   [[nodiscard]] double water_level() const { return water_level_; }  ///< m, world, at rest
   /// Kinetic and potential energy in J, the latter from the patch's floor.
   [[nodiscard]] double energy(const StepReport& report) const;
@@ -182,6 +185,7 @@ class World {
   Bodies bodies_;
   Probes probes_;
   std::optional<OpenSea> open_sea_;  ///< where edges are open
+  EdgeWatch edge_watch_;
   FluidState fluid_;
   std::size_t free_particles_ = 0;  ///< at the start: not held
   double water_level_ = 0.0;
