@@ -38,6 +38,7 @@ governor { frame_budget: 0.004 }
 far_sea { beaufort: 4 wave_to_deg: 90 }
 event { at: 1.5 set_wind { wind { speed: 12 } ramp: 1 } }
 event { at: 2 set_waves { wave { amplitude: 0.5 length: 30 to_deg: 200 } blend: 3 } }
+event { at: 3 set_sea { system { height: 0.5 peak_period: 4 to_deg: 30 } components: 40 blend: 1 } }
 frame_rate: 20
 )";
   return file;
@@ -150,9 +151,10 @@ class ReplayOfASession : public ::testing::Test {
 
 TEST_F(ReplayOfASession, TheLogHoldsWhoGaveWhat) {
   const std::string log = read_text(path("run.log"));
-  for (const char* text : {"source: \"bridge 7\"", "source: \"bridge 8\"",
-                           "source: \"station 127.0.0.1:", "source: \"scene event 1\"", "pose {", "set_probe",
-                           "remove_probe", "set_waves { wave { amplitude: 0.3 length: 20 to_deg: 90 }", "world_hash"})
+  for (const char* text :
+       {"source: \"bridge 7\"", "source: \"bridge 8\"", "source: \"station 127.0.0.1:", "source: \"scene event 1\"",
+        "pose {", "set_probe", "remove_probe", "set_waves { wave { amplitude: 0.3 length: 20 to_deg: 90 }",
+        "set_sea { system { spectrum: JONSWAP height: 0.5 peak_period: 4", "world_hash"})
     EXPECT_THAT(log, HasSubstr(text));
 }
 

@@ -7,8 +7,10 @@
 #include "messages/enums_out.hpp"
 #include "messages/limits.hpp"
 #include "messages/read_current.hpp"
+#include "messages/read_sea.hpp"
 #include "messages/read_waves.hpp"
 #include "messages/read_wind.hpp"
+#include "messages/sea_out.hpp"
 #include "oil_commands.hpp"
 #include "probe_commands.hpp"
 
@@ -103,6 +105,24 @@ void write(const SetWaves& command, proto::v1::TimedCommand& message) {
   out.set_blend(command.blend_seconds);
 }
 
+Command read_set_sea(const FieldReader& reader) {
+  SetSea command;
+  if (!reader.has("system"))
+    reader.fault("system", "is missing; allowed: 1 to 8 systems, and for a flat sea set_waves { flat: true }");
+  command.sea = read_sea(reader);
+  reader.read("blend", limits::kBlend, command.blend_seconds);
+  return command;
+}
+
+void write(const SetSea& command, proto::v1::TimedCommand& message) {
+  proto::v1::SetSea& out = *message.mutable_set_sea();
+  for (const WaveSystem& system : command.sea.systems) write_wave_system(system, *out.add_system());
+  out.set_components(command.sea.components);
+  if (command.sea.seed) out.set_seed(*command.sea.seed);
+  if (command.sea.shortest_length > 0.0) out.set_shortest_length(command.sea.shortest_length);
+  out.set_blend(command.blend_seconds);
+}
+
 Command read_pause(const FieldReader&) { return PauseSimulation{}; }
 void write(const PauseSimulation&, proto::v1::TimedCommand& message) { message.mutable_pause(); }
 
@@ -164,6 +184,7 @@ constexpr std::array kCommandFields{
     CommandField{"set_current", read_set_current},
     CommandField{"clear_current", read_clear_current},
     CommandField{"set_waves", read_set_waves},
+    CommandField{"set_sea", read_set_sea},
     CommandField{"pause", read_pause},
     CommandField{"release_oil", read_as_command<read_release_oil>},
     CommandField{"stop_release", read_as_command<read_stop_release>},

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "values/sea_request.hpp"
+
 namespace pelagos {
 
 namespace {
@@ -111,6 +113,7 @@ CommandSurroundings command_surroundings(const Scene& scene) {
 std::optional<Refusal> find_refusal(const Command& command, const CommandSurroundings& around) {
   if (const auto* set = std::get_if<SetProbe>(&command)) return find_wrong_probe(set->probe, around);
   if (const auto* set = std::get_if<SetWaves>(&command)) return find_wave_refusal(set->waves, around.gravity);
+  if (const auto* set = std::get_if<SetSea>(&command)) return find_sea_refusal(set->sea, around.gravity);
   const auto* oil = std::get_if<OilCommand>(&command);
   if (oil == nullptr) return {};
   if (!around.oil) return Refusal{"", "the scene has no oil; needed there: oil { } with its type and model"};

@@ -5,8 +5,9 @@
 
 namespace pelagos {
 
-SeaStatus sea_status(const WaveField& sea, double time) {
+SeaStatus sea_status(const WaveField& sea, double time, const std::optional<SeaRequest>& request) {
   SeaStatus status;
+  status.request = request;
   const std::span<const WaveComponent> waves = sea.components();
   const std::span<const WaveLayer> layers = sea.layers();
   status.significant_height = 4.0 * std::sqrt(wave_variance(waves));

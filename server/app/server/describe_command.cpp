@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "values/sea_request.hpp"
+
 namespace pelagos {
 
 namespace {
@@ -55,6 +57,9 @@ struct Describer {
   }
   CommandNews operator()(const ClearCurrent&) const { return {"current", "no current"}; }
   CommandNews operator()(const SetWaves& c) const { return {"waves", waves(c)}; }
+  CommandNews operator()(const SetSea& c) const {
+    return {"waves", fmt::format("sea: {}, over {:.1f} s", describe_sea(c.sea), c.blend_seconds)};
+  }
   CommandNews operator()(const PauseSimulation&) const { return {"pause", "paused"}; }
   CommandNews operator()(const ResumeSimulation&) const { return {"resume", "resumed"}; }
   CommandNews operator()(const StepSimulation& c) const { return {"step", fmt::format("single steps: {}", c.steps)}; }

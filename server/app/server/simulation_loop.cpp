@@ -120,7 +120,8 @@ void SimulationLoop::answer(std::size_t index, const CommandOutcome& outcome, bo
   if (!changed) return;
   if (std::holds_alternative<SetEffort>(outcome.done)) ++effort_changes_;
   parts_.announcer.announce(news.kind, source, news.text);
-  if (std::holds_alternative<SetWaves>(outcome.done)) parts_.publisher.publish_sea(parts_.world.sea());
+  if (std::holds_alternative<SetWaves>(outcome.done) || std::holds_alternative<SetSea>(outcome.done))
+    parts_.publisher.publish_sea(parts_.world.sea());
   if (std::holds_alternative<SetCurrent>(outcome.done)) watches_.look_at_current(parts_.world);
 }
 

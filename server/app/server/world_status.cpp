@@ -35,7 +35,7 @@ ServerStatus starting_status(const Scene& scene) {
   status.current = scene.current;
   for (std::size_t axis = 0; axis < 2; ++axis)
     status.moves_water[axis] = scene.patch_edges[axis] == PatchEdge::kPeriodic;
-  status.sea = sea_status(scene_sea(scene, highest_block(scene)), 0.0);
+  status.sea = sea_status(scene_sea(scene, highest_block(scene)), 0.0, scene_sea_request(scene));
   status.effort = {largest_time_step(scene), scene.solver.density.tolerance, scene.solver.divergence.tolerance};
   for (const BodySettings& body : scene.bodies) status.bodies.push_back(starting_state(body));
   if (scene.oil) status.oil.emplace();
@@ -56,7 +56,7 @@ void fill_from(const World& world, ServerStatus& status) {
   status.wind = world.wind();
   status.current = world.current();
   status.moves_water = world.current_moves_water();
-  status.sea = sea_status(world.sea(), world.time());
+  status.sea = sea_status(world.sea(), world.time(), world.sea_request());
   status.edges = world.edge_quality();
   status.bodies = world.bodies().states();
   status.holds = world.bodies().holds();

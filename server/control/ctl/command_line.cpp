@@ -25,6 +25,8 @@ constexpr const char* kExamples = R"(Examples:
   pelagos-ctl wind-at 12 -4 10                         what an anemometer there would read
   pelagos-ctl current --speed 1.5 --to 90 --ramp 60    1.5 m/s, setting to the east
   pelagos-ctl waves --wave 1.2,60,270 --wave 0.4,5s,250 --blend 30  two waves, in place of all others within 30 s
+  pelagos-ctl sea --hs 2 --tp 7 --to 250 --swell 1.5,12,300 --blend 60   a wind sea and a swell within a minute
+  pelagos-ctl sea --beaufort 6 --to 90 --blend 120     what a wind of force 6 raises on the open sea
   pelagos-ctl waves --file swell.txt --blend 60        waves from a file, as they stand in a scene
   pelagos-ctl release hose --from 12 20 8 --rate 60 --duration 30   60 m^3/h of oil for half a minute
   pelagos-ctl spill 12 20 --volume 2 --radius 3        2 m^3 of oil at once
@@ -131,13 +133,14 @@ CommandLine::CommandLine() {
   add_wind_options();
   add_current_options();
   waves.add_to(app);
+  sea.add_to(app);
   response.add_to(app);
   for (CLI::App* one : timed()) one->add_option("--at", options.at, "Not now but at this simulated time, s");
   for (CLI::App* one : app.get_subcommands([](CLI::App*) { return true; })) one->footer(examples_of(one->get_name()));
 }
 
 std::vector<CLI::App*> CommandLine::timed() const {
-  std::vector<CLI::App*> all{wind, current, waves.waves, pause, command};
+  std::vector<CLI::App*> all{wind, current, waves.waves, sea.sea, pause, command};
   for (CLI::App* one : response.all()) all.push_back(one);
   return all;
 }
@@ -236,6 +239,7 @@ std::string usage_fault(const CommandLine& line) {
     return "wind-at: " + std::to_string(line.options.places.size()) +
            " numbers are given; allowed: X Y Z of each place; see pelagos-ctl wind-at --help";
   if (const std::string fault = line.waves.usage_fault(); !fault.empty()) return fault;
+  if (const std::string fault = line.sea.usage_fault(); !fault.empty()) return fault;
   return line.response.usage_fault();
 }
 
@@ -258,6 +262,7 @@ RequestResult to_request(const CommandLine& line) {
   if (line.current->parsed() && !options.current.off) fill_current(line, *command.mutable_set_current());
   if (line.command->parsed()) result.fault = read_command_text(options.command, command);
   if (line.waves.waves->parsed()) result.fault = line.waves.fill(*command.mutable_set_waves());
+  if (line.sea.sea->parsed()) result.fault = line.sea.fill(command);
   line.response.fill(command);
   for (const CLI::App* timed : line.timed())
     if (timed->parsed() && given(*timed, "--at")) command.set_at(options.at);

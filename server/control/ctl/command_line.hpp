@@ -7,6 +7,7 @@
 
 #include "control.pb.h"
 #include "response_commands.hpp"
+#include "sea_command.hpp"
 #include "waves_command.hpp"
 
 namespace pelagos {
@@ -60,6 +61,7 @@ struct CommandLine {
   CLI::App* schedule = nullptr;
   CLI::App* cancel = nullptr;
   WavesCommand waves;
+  SeaCommand sea;
   ResponseCommands response;
 
   CommandLine();

@@ -155,6 +155,8 @@ std::string describe_sea(const proto::v1::SeaStatus& sea) {
   if (sea.waves() > 0)
     text = format("%u, significant height %.2f m, the highest of %.1f s (%.4g m) to %03.0f", sea.waves(),
                   sea.significant_height(), sea.highest_period(), sea.highest_length(), sea.highest_to_deg());
+  if (sea.has_words()) text += "; asked for: " + sea.words();
+  if (sea.has_left_out_height()) text += format(", which leaves out %.2f m", sea.left_out_height());
   if (!sea.has_share()) return text;
   return text +
          format("; they replace the waves before them: %.0f %% done, %.1f s left, earlier seas that still run: %u",

@@ -4,6 +4,7 @@
 
 #include "messages/commands.hpp"
 #include "messages/enums_out.hpp"
+#include "messages/sea_out.hpp"
 #include "values/oil_limits.hpp"
 
 namespace pelagos {
@@ -92,6 +93,13 @@ void fill_current(const ServerStatus& status, proto::v1::CurrentStatus& to) {
   if (current.shear != CurrentShear::kNone) to.set_depth(current.depth);
 }
 
+void fill(const SeaRequest& from, proto::v1::SeaStatus& to) {
+  for (const WaveSystem& system : from.settings.systems) write_wave_system(system, *to.add_system());
+  if (from.settings.seed) to.set_seed(*from.settings.seed);
+  if (from.left_out > 0.0) to.set_left_out_height(from.left_out);
+  to.set_words(describe_sea(from.settings));
+}
+
 void fill(const SeaStatus& from, proto::v1::SeaStatus& to) {
   constexpr double kTurn = 6.283185307179586;
   to.set_significant_height(from.significant_height);
@@ -102,6 +110,7 @@ void fill(const SeaStatus& from, proto::v1::SeaStatus& to) {
     const double direction = from.highest->direction;
     to.set_highest_to_deg(current_to_deg({std::cos(direction), std::sin(direction), 0.0}));
   }
+  if (from.request) fill(*from.request, to);
   if (from.earlier == 0) return;
   to.set_share(from.share);
   to.set_blend_left(from.blend_left);

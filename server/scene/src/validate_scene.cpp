@@ -6,11 +6,13 @@
 
 #include "messages/read_current.hpp"
 #include "messages/read_probe.hpp"
+#include "messages/read_sea.hpp"
 #include "messages/read_waves.hpp"
 #include "messages/read_wind.hpp"
 #include "scales/scales.hpp"
 #include "scene.pb.h"
 #include "values/lattice.hpp"
+#include "values/sea_request.hpp"
 
 namespace pelagos {
 namespace {
@@ -189,17 +191,35 @@ void check_bodies_against_solver(const FieldReader& reader, const Scene& scene) 
                  "POSE_HORIZONTAL: any other solver, or PBF with another method");
 }
 
+/// The sea around by one way of three: waves, systems, or a Beaufort number.
+void check_ways_of_far_sea(const FieldReader& entry) {
+  if (entry.has("wave") && entry.has("system"))
+    entry.fault("system", "is given beside waves; allowed: one or the other");
+  const auto refuse_beside = [&](const char* way, const char* named, std::initializer_list<const char*> fields) {
+    for (const char* field : fields)
+      if (entry.has(way) && entry.has(field))
+        entry.fault(field, std::string("is given beside ") + named + "; allowed: one or the other");
+  };
+  refuse_beside("wave", "waves", {"beaufort", "wave_to_deg", "components"});
+  refuse_beside("system", "systems", {"beaufort", "wave_to_deg"});
+  for (const char* field : {"seed", "shortest_length"})
+    if (!entry.has("system") && entry.has(field)) entry.fault(field, "is of systems; allowed: with system { }");
+}
+
 void read_far_sea(const FieldReader& reader, double gravity, FarSeaSettings& far_sea) {
   const FieldReader entry = reader.child("far_sea");
   const std::size_t faults = entry.fault_count();
+  check_ways_of_far_sea(entry);
   far_sea.waves = read_waves(entry);
-  for (const char* field : {"beaufort", "wave_to_deg", "components"})
-    if (entry.has("wave") && entry.has(field)) entry.fault(field, "is given beside waves; allowed: one or the other");
-  const auto refusal = entry.fault_count() == faults ? find_wave_refusal(far_sea.waves, gravity) : std::nullopt;
+  const bool by_systems = entry.has("system");
+  if (by_systems) far_sea.sea = read_sea(entry);
+  std::optional<Refusal> refusal;
+  if (entry.fault_count() == faults)
+    refusal = by_systems ? find_sea_refusal(*far_sea.sea, gravity) : find_wave_refusal(far_sea.waves, gravity);
   if (refusal) entry.fault(*refusal);
   entry.read("beaufort", {0, 12, "Beaufort"}, far_sea.beaufort);
   entry.read("wave_to_deg", {0.0, 360.0, "degrees clockwise from north, where the waves run to"}, far_sea.wave_to_deg);
-  entry.read("components", {1, 128}, far_sea.components);
+  if (!by_systems) entry.read("components", {1, 128}, far_sea.components);
 }
 
 void read_origin(const FieldReader& reader, GeodeticOrigin& origin) {

@@ -109,6 +109,7 @@ World::World(const Scene& scene, const WorldOptions& options)
       free_particles_(fluid_.particles.count - fluid_.held.rows.size()),
       water_level_(start_level(*pool_, scene, bodies_, fluid_, frame_, open_sea_)),
       sea_(scene_sea(scene, water_level_)),
+      sea_request_(scene_sea_request(scene)),
       water_surface_(*pool_, {frame_, fluid_.parameters.patch, blend_of(open_sea_)}),
       drive_(scene, frame_, water_level_, fluid_.particles.count),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
@@ -357,6 +358,7 @@ void World::copy_what_inputs_change(WorldState& state) const {
   state.wind = wind_ ? std::optional(wind_->air()) : std::nullopt;
   state.current = current_;
   state.sea = sea_;
+  state.sea_request = sea_request_;
   state.probes = probes_.settings();
   state.effort = effort();
 }
@@ -392,6 +394,7 @@ void World::restore(const WorldState& state) {
   if (state.wind) wind_.emplace(wind_surroundings(scene_, frame_, water_level_), *state.wind);
   current_ = state.current;
   sea_ = state.sea;
+  sea_request_ = state.sea_request;
   probes_.restore(state.probes);
   surface_.restore_foam(state.foam);
   set_effort(state.effort);

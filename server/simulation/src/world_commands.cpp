@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "simulation/scene_sea.hpp"
 #include "simulation/world.hpp"
 #include "values/command_surroundings.hpp"
 #include "wind_surroundings.hpp"
@@ -62,7 +63,14 @@ std::optional<Refusal> World::apply_valid(const Command& command) {
       world.clear_current();
       return {};
     }
-    Answer operator()(const SetWaves& c) const { return world.set_waves(c); }
+    Answer operator()(const SetWaves& c) const {
+      return world.exchange_sea(wave_components(c.waves, world.around_.gravity, world.sea_.depth()), c.blend_seconds,
+                                {});
+    }
+    Answer operator()(const SetSea& c) const {
+      MadeSea made = make_sea(world.scene_, c.sea);
+      return world.exchange_sea(std::move(made.waves), c.blend_seconds, std::move(made.request));
+    }
     Answer operator()(const SetEffort& c) const {
       world.set_effort(c.effort);
       return {};
@@ -131,8 +139,12 @@ std::optional<Refusal> World::set_wind(const SetWind& command) {
   return {};
 }
 
-std::optional<Refusal> World::set_waves(const SetWaves& command) {
-  if (sea_.exchange(wave_components(command.waves, around_.gravity), clock_.time(), command.blend_seconds)) return {};
+std::optional<Refusal> World::exchange_sea(std::vector<WaveComponent> waves, double blend_seconds,
+                                           std::optional<SeaRequest> request) {
+  if (sea_.exchange(std::move(waves), clock_.time(), blend_seconds)) {
+    sea_request_ = std::move(request);
+    return {};
+  }
   return Refusal{"", fmt::format("{} exchanges of the waves still run; allowed: at most so many, and another one from "
                                  "{:g} s on",
                                  WaveField::kMostLayers - 1, sea_.open_from())};

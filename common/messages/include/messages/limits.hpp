@@ -33,6 +33,13 @@ inline constexpr Range kWaveLength{0.1, 10000.0, "m"};
 inline constexpr Range kWavePeriod{0.25, 80.0, "s"};  // in deep water waves of 0.1 to 10,000 m
 inline constexpr Range kWaveTo{0.0, 360.0, "degrees clockwise from north, where the wave runs to"};
 inline constexpr Range kWavePhase{-360.0, 360.0, "degrees"};
+inline constexpr Range kSeaHeight{0.01, 30.0, "m"};  // up to kHighestSea
+inline constexpr Range kSeaPeriod{0.5, 40.0, "s"};
+inline constexpr Range kSpreading{1.0, 1000.0, "", "s of cos^2s(theta / 2)"};
+inline constexpr Range kGamma{1.0, 10.0};
+inline constexpr Range kShape{0.5, 20.0, "", "lambda of Ochi and Hubble"};
+inline constexpr Range kDouglas{0, 9, "degrees of the Douglas scale"};
+inline constexpr Range kSeaComponents{1, 512};
 inline constexpr Range kBlend{0.0, 3600.0, "s"};
 
 inline constexpr std::size_t kLongestName = 64;

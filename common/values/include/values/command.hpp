@@ -12,6 +12,7 @@
 #include "values/spill.hpp"
 #include "values/wave_settings.hpp"
 #include "values/wind_change.hpp"
+#include "waves/wave_system.hpp"
 
 namespace pelagos {
 
@@ -39,6 +40,11 @@ struct SetWaves {
   std::vector<WaveSettings> waves;  ///< none: a flat sea
   double blend_seconds = 0.0;
 };
+/// The same by systems, which become components when the command takes effect.
+struct SetSea {
+  SeaSettings sea;
+  double blend_seconds = 0.0;
+};
 struct PauseSimulation {};
 struct ResumeSimulation {};
 /// While paused: advance by so many time steps.
@@ -55,8 +61,8 @@ struct SetEffort {
 /// What concerns oil; see values/spill.hpp.
 using OilCommand = std::variant<ReleaseOil, StopRelease, SpillOil, SetBoom, RemoveBoom, SetSkimmer, RemoveSkimmer>;
 
-using Command = std::variant<SetWind, ClearWind, SetCurrent, ClearCurrent, SetWaves, PauseSimulation, ResumeSimulation,
-                             StepSimulation, SetEffort, SetProbe, RemoveProbe, OilCommand>;
+using Command = std::variant<SetWind, ClearWind, SetCurrent, ClearCurrent, SetWaves, SetSea, PauseSimulation,
+                             ResumeSimulation, StepSimulation, SetEffort, SetProbe, RemoveProbe, OilCommand>;
 
 /// A command that a scene gives at a time.
 struct SceneEvent {

@@ -196,6 +196,7 @@ struct FarSeaSettings {
   double wave_to_deg = 0.0;  ///< clockwise from north
   std::uint32_t components = 24;
   std::vector<WaveSettings> waves = {};  ///< in place of the three above; none: by them
+  std::optional<SeaSettings> sea = {};   ///< in place of all above
 };
 
 /// How a patch with open edges goes over into the sea around it.

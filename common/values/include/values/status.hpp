@@ -13,6 +13,7 @@
 #include "values/effort.hpp"
 #include "values/hold_reading.hpp"
 #include "values/oil_budget.hpp"
+#include "values/sea_request.hpp"
 #include "values/wind.hpp"
 #include "waves/wave_field.hpp"
 
@@ -43,11 +44,12 @@ struct SeaStatus {
   double significant_height = 0.0;  ///< m: of the sea that there is, or that it blends into
   std::uint32_t waves = 0;          ///< components of that sea; 0: flat
   std::optional<WaveComponent> highest;
-  double share = 1.0;         ///< 0..1, that it has by now
-  double blend_left = 0.0;    ///< s of simulated time, until it is there in full
-  std::uint32_t earlier = 0;  ///< seas before it that still have a share
+  double share = 1.0;                 ///< 0..1, that it has by now
+  double blend_left = 0.0;            ///< s of simulated time, until it is there in full
+  std::uint32_t earlier = 0;          ///< seas before it that still have a share
+  std::optional<SeaRequest> request;  ///< where it was asked for by systems
 };
-[[nodiscard]] SeaStatus sea_status(const WaveField& sea, double time);
+[[nodiscard]] SeaStatus sea_status(const WaveField& sea, double time, const std::optional<SeaRequest>& request = {});
 
 /// The health of the server, as published on `status_v2` and answered over the control link. All over the last second
 /// unless stated.

@@ -132,6 +132,8 @@ class World {
   [[nodiscard]] const Bodies& bodies() const { return bodies_; }
   /// The waves around the patch.
   [[nodiscard]] const WaveField& sea() const { return sea_; }
+  /// The sea that there is, or that is blended into, as it was asked for; nothing where that was not by systems.
+  [[nodiscard]] const std::optional<SeaRequest>& sea_request() const { return sea_request_; }
   /// What the probes read now, by id.
   [[nodiscard]] std::vector<ProbeReading> read_probes() const;
   /// What bears a name that commands may speak of.
@@ -151,7 +153,8 @@ class World {
   [[nodiscard]] CommandOutcome apply(const Command& command);
   [[nodiscard]] std::optional<Refusal> apply_valid(const Command& command);
   [[nodiscard]] std::optional<Refusal> set_wind(const SetWind& command);
-  [[nodiscard]] std::optional<Refusal> set_waves(const SetWaves& command);
+  [[nodiscard]] std::optional<Refusal> exchange_sea(std::vector<WaveComponent> waves, double blend_seconds,
+                                                    std::optional<SeaRequest> request);
   void set_current(const CurrentSettings& current, double ramp_seconds);
   void clear_current();
   void set_effort(const Effort& effort);
@@ -190,6 +193,7 @@ class World {
   std::size_t free_particles_ = 0;  ///< at the start: not held
   double water_level_ = 0.0;
   WaveField sea_;
+  std::optional<SeaRequest> sea_request_;
   mutable WaterSurface water_surface_;  ///< of the particles as they are; mutable: it measures when asked
   std::optional<Wind> wind_;
   CurrentDrive drive_;

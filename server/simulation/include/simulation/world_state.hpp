@@ -14,6 +14,7 @@
 #include "values/effort.hpp"
 #include "values/patch_frame.hpp"
 #include "values/probe.hpp"
+#include "values/sea_request.hpp"
 #include "waves/wave_field.hpp"
 #include "wind/air.hpp"
 
@@ -60,6 +61,7 @@ struct WorldState {
   std::optional<Air> wind;  ///< its ramp included
   CurrentState current;
   WaveField sea;                                  ///< around the patch, with the blends that run
+  std::optional<SeaRequest> sea_request;          ///< what its newest waves were made from
   std::map<std::uint32_t, ProbeSettings> probes;  ///< by id
   std::vector<FoamOfParticle> foam;               ///< by particle
   Effort effort;
@@ -77,6 +79,7 @@ struct WorldState {
     visit("wind", self.wind);
     visit("current", self.current);
     visit("sea", self.sea);
+    visit("sea_request", self.sea_request);
     visit("probes", self.probes);
     visit("foam", self.foam);
     visit("effort", self.effort);
