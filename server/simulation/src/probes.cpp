@@ -25,10 +25,7 @@ std::vector<ProbeReading> Probes::read(const FluidState& fluid, WaterSurface& su
     readings[k].height = frame.world_height(water[k].height);
     readings[k].normal = water[k].normal;
     readings[k].velocity = water[k].velocity;
-    if (!current) continue;
-    const Eigen::Vector3d& place = readings[k].position;  // the wave field makes no current at all
-    readings[k].velocity += water[k].share * current->unresolved_velocity_at(place, time) +
-                            (1.0 - water[k].share) * current->velocity_at(place, time);
+    if (current) readings[k].velocity += missing_current(water[k], *current, readings[k].position, time);
   }
   return readings;
 }

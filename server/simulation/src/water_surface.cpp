@@ -1,6 +1,5 @@
 #include "simulation/water_surface.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,22 +8,7 @@ namespace pelagos {
 
 namespace {
 
-Eigen::Vector2d slope_of(const SurfaceReading& reading) { return -reading.normal.head<2>() / reading.normal.z(); }
-
-Eigen::Vector3d normal_of(const Eigen::Vector2d& slope) {
-  return Eigen::Vector3d(-slope.x(), -slope.y(), 1.0).normalized();
-}
-
-/// The share w of the particles' surface and 1 - w of the wave field's.
-SurfaceReading blend(const SurfaceReading& water, const SurfaceReading& waves, double w) {
-  SurfaceReading mixed;
-  mixed.wet = true;
-  mixed.share = w;
-  mixed.height = w * water.height + (1.0 - w) * waves.height;
-  mixed.normal = normal_of(w * slope_of(water) + (1.0 - w) * slope_of(waves));
-  mixed.velocity = w * water.velocity + (1.0 - w) * waves.velocity;
-  return mixed;
-}
+constexpr std::size_t kPlacesInBlock = 32;  // that one thread reads
 
 }  // namespace
 
@@ -47,26 +31,6 @@ const SurfaceGrid& WaterSurface::grid_with_velocities(const FluidState& fluid) {
   return grid_;
 }
 
-SurfaceReading WaterSurface::read_waves(const WaveMoment& moment, const SurfacePlace& place) const {
-  const Eigen::Vector2f at = (around_.frame.to_world(place.local) - moment.anchor).cast<float>();
-  float height = 0, slope_x = 0, slope_y = 0;
-  Eigen::Vector3f velocity;
-  evaluate_displaced_surface(
-      moment, {&at.x(), 1}, {&at.y(), 1},
-      {{&height, 1}, {&slope_x, 1}, {&slope_y, 1}, {&velocity.x(), 1}, {&velocity.y(), 1}, {&velocity.z(), 1}});
-  const double level = around_.frame.local_height(moment.level);
-  SurfaceReading reading;
-  reading.wet = true;
-  reading.share = 0.0;
-  reading.height = level + static_cast<double>(height);
-  reading.normal = normal_of(Eigen::Vector2f(slope_x, slope_y).cast<double>());
-  if (place.height && *place.height < reading.height)
-    velocity =
-        motion_at(moment, {at.x(), at.y(), static_cast<float>(*place.height - level)}, Stretching::kWheeler).velocity;
-  reading.velocity = velocity.cast<double>();
-  return reading;
-}
-
 std::vector<SurfaceReading> WaterSurface::read_particles(const FluidState& fluid,
                                                          std::span<const SurfacePlace> places) {
   std::vector<SurfaceReading> readings;
@@ -75,23 +39,23 @@ std::vector<SurfaceReading> WaterSurface::read_particles(const FluidState& fluid
   return readings;
 }
 
+std::vector<SurfaceReading> WaterSurface::read_shared(const FluidState& fluid, std::span<const SurfacePlace> places) {
+  std::vector<SurfaceReading> readings(places.size());
+  std::vector<std::size_t> shared;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (particle_share(around_, places[k].local) > 0.0) shared.push_back(k);
+  if (shared.empty()) return readings;
+  const WaterColumns& water = columns(fluid);
+  pool_.for_each_range(shared.size(), kPlacesInBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) readings[shared[i]] = water.read(places[shared[i]]);
+  });
+  return readings;
+}
+
 std::vector<SurfaceReading> WaterSurface::read(const FluidState& fluid, const WaveField& sea, double time,
                                                std::span<const SurfacePlace> places) {
-  const Eigen::Vector2d min(around_.patch.min[0], around_.patch.min[1]),
-      max(around_.patch.max[0], around_.patch.max[1]);
-  std::optional<WaveMoment> moment;
-  std::vector<SurfaceReading> readings;
-  readings.reserve(places.size());
-  for (const SurfacePlace& place : places) {
-    SurfaceReading& reading = readings.emplace_back();
-    if (!place.local.allFinite()) continue;
-    const double share = patch_weight(around_.blend, min, max, place.local);
-    if (share > 0.0) reading = columns(fluid).read(place);
-    if (share == 1.0) continue;
-    if (!moment) moment = sea.at(time, around_.frame.to_world(Eigen::Vector2d(0.5 * (min + max))));
-    const SurfaceReading waves = read_waves(*moment, place);
-    reading = reading.wet && share > 0.0 ? blend(reading, waves, share) : waves;
-  }
+  std::vector<SurfaceReading> readings = read_shared(fluid, places);
+  mix_with_waves(around_, sea, time, places, readings);
   return readings;
 }
 

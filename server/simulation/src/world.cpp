@@ -351,6 +351,14 @@ std::vector<ProbeReading> World::read_probes() const {
   return readings;
 }
 
+SeaAround World::sea_around() const { return {water_surface_.around(), sea_, current_.running, clock_.time()}; }
+
+std::vector<SurfaceReading> World::read_particles(std::span<const Eigen::Vector2d> places) const {
+  std::vector<SurfacePlace> local(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k) local[k].local = frame_.to_local(places[k]);
+  return water_surface_.read_shared(fluid_, local);
+}
+
 /// The parts of the state that inputs change between two steps. The water is none of them.
 void World::copy_what_inputs_change(WorldState& state) const {
   state.bodies = bodies_.state();

@@ -6,20 +6,10 @@
 #include <vector>
 
 #include "physics/fluid.hpp"
+#include "simulation/surface_blend.hpp"
 #include "surface/water_columns.hpp"
-#include "values/patch_frame.hpp"
-#include "waves/patch_blend.hpp"
-#include "waves/wave_field.hpp"
 
 namespace pelagos {
-
-/// What the surface is made of, besides the particles.
-struct SurfaceSurroundings {
-  PatchFrame frame;
-  Region patch;  ///< m, local
-  /// Over which the wave field passes into the particles. Walls part the two: no blend, a step at the wall.
-  PatchBlend blend;
-};
 
 /// The one surface of the water: the particles' inside the patch, the wave field's outside, blended once. Probes, wind,
 /// oil, loads and drift ask it. What it needs of the particles (WaterColumns, their grid) is made when the first one
@@ -50,10 +40,13 @@ class WaterSurface {
   /// The particles' part alone: inside the patch, dry outside.
   [[nodiscard]] std::vector<SurfaceReading> read_particles(const FluidState& fluid,
                                                            std::span<const SurfacePlace> places);
+  /// The same, but only where the particles have a share; dry, and free of charge, elsewhere.
+  [[nodiscard]] std::vector<SurfaceReading> read_shared(const FluidState& fluid, std::span<const SurfacePlace> places);
+
+  [[nodiscard]] const SurfaceSurroundings& around() const { return around_; }
 
  private:
   [[nodiscard]] const WaterColumns& columns(const FluidState& fluid);
-  [[nodiscard]] SurfaceReading read_waves(const WaveMoment& moment, const SurfacePlace& place) const;
 
   TaskPool& pool_;
   SurfaceSurroundings around_;

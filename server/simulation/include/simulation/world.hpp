@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "simulation/oil_spill.hpp"
 #include "simulation/open_sea.hpp"
 #include "simulation/probes.hpp"
+#include "simulation/surface_query.hpp"
 #include "simulation/water_surface.hpp"
 #include "simulation/world_state.hpp"
 #include "surface/surface_extractor.hpp"
@@ -136,6 +138,10 @@ class World {
   [[nodiscard]] const std::optional<SeaRequest>& sea_request() const { return sea_request_; }
   /// What the probes read now, by id.
   [[nodiscard]] std::vector<ProbeReading> read_probes() const;
+  /// For queries of the surface (see answer_query): the sea around now, a copy, and what the particles make of the
+  /// surface at places (m, world), dry where the waves alone count. Nothing changes by either.
+  [[nodiscard]] SeaAround sea_around() const;
+  [[nodiscard]] std::vector<SurfaceReading> read_particles(std::span<const Eigen::Vector2d> places) const;
   /// What bears a name that commands may speak of.
   [[nodiscard]] GivenNames names() const;
   /// The oil; nothing in a scene without.
