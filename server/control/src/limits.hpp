@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -9,29 +8,11 @@
 #include <string_view>
 
 #include "control/control_server.hpp"
+#include "values/token_bucket.hpp"
 
 namespace pelagos {
 
 using Clock = std::chrono::steady_clock;
-
-/// So many requests a second, with some at once.
-class TokenBucket {
- public:
-  TokenBucket(double per_second, double burst) : per_second_(per_second), burst_(burst), tokens_(burst) {}
-  [[nodiscard]] bool take(Clock::time_point now) {
-    tokens_ = std::min(burst_, tokens_ + per_second_ * std::chrono::duration<double>(now - last_).count());
-    last_ = now;
-    if (tokens_ < 1.0) return false;
-    tokens_ -= 1.0;
-    return true;
-  }
-
- private:
-  double per_second_;
-  double burst_;
-  double tokens_;
-  Clock::time_point last_ = Clock::now();
-};
 
 /// Passes on 20 lines of each level at once and 20 a minute from then on, and tells how many it kept back: whoever
 /// provokes lines for days does not fill a disk.

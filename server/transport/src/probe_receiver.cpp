@@ -1,7 +1,5 @@
 #include "transport/probe_receiver.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <string_view>
 #include <unordered_map>
@@ -9,6 +7,7 @@
 
 #include "pelagos_dds/entities.hpp"
 #include "text/characters.hpp"
+#include "values/token_bucket.hpp"
 #include "wire/convert.hpp"
 #include "wire/topics.hpp"
 
@@ -43,30 +42,13 @@ std::string fault_of(const pelagos_ProbeRequestV1& sample) {
   return fault_of_name(sample.name);
 }
 
-/// So many a second, with some at once.
-class Budget {
- public:
-  using Clock = std::chrono::steady_clock;
-  Budget(double burst, double per_second) : burst_(burst), per_second_(per_second), left_(burst) {}
-  void refill(Clock::time_point now) {
-    left_ = std::min(burst_, left_ + per_second_ * std::chrono::duration<double>(now - refilled_).count());
-    refilled_ = now;
-  }
-  [[nodiscard]] bool any() const { return left_ >= 1.0; }
-  void spend() { left_ -= 1.0; }
-
- private:
-  double burst_, per_second_, left_;
-  Clock::time_point refilled_ = Clock::now();
-};
-
 }  // namespace
 
 class ProbeReceiver::Implementation {
  public:
   Implementation(std::shared_ptr<DdsParticipant> participant, const ProbeLimits& limits)
       : limits_(limits),
-        all_(limits.all_burst, limits.all_per_second),
+        all_(limits.all_per_second, limits.all_burst),
         participant_(std::move(participant)),
         reader_(*participant_, topics::probe_request()) {}
 
@@ -91,12 +73,10 @@ class ProbeReceiver::Implementation {
 
  private:
   bool afford(std::uint32_t sender) {
-    const auto now = Budget::Clock::now();
+    const auto now = TokenBucket::Clock::now();
     if (!senders_.contains(sender) && senders_.size() >= limits_.senders) sender = 0;
-    Budget& own = senders_.try_emplace(sender, limits_.burst, limits_.per_second).first->second;
-    own.refill(now);
-    all_.refill(now);
-    if (!own.any() || !all_.any()) {
+    TokenBucket& own = senders_.try_emplace(sender, limits_.per_second, limits_.burst).first->second;
+    if (!own.has(now) || !all_.has(now)) {
       ++dropped_;
       return false;
     }
@@ -106,8 +86,8 @@ class ProbeReceiver::Implementation {
   }
 
   ProbeLimits limits_;
-  Budget all_;
-  std::unordered_map<std::uint32_t, Budget> senders_;
+  TokenBucket all_;
+  std::unordered_map<std::uint32_t, TokenBucket> senders_;
   std::uint64_t dropped_ = 0;
   std::shared_ptr<DdsParticipant> participant_;
   DdsReader reader_;
