@@ -4,7 +4,9 @@
 //   1. write PoseV1 of idl/pelagos.idl, 30 to 60 times a second, to `own_ship_pose_v1` (own ship, body 1) or
 //      `body_pose_v1` (other ships);
 //   2. read BodyLoadV1 from `body_load_v1`: force and moment of the water on the ship, for its equations of motion;
-//   3. ask for wave probes with ProbeRequestV1 on `probe_request_v1`, and read them from `probe_v1`.
+//   3. ask for wave probes with ProbeRequestV1 on `probe_request_v1`, and read them from `probe_v1`;
+//   4. ask for the sea's surface anywhere with SurfaceQueryV1 on `surface_query_v1`, and read SurfaceAnswerV1 from
+//      `surface_answer_v1` (here by SurfaceClient).
 // Any vendor's DDS and any language will do; this one uses the C types that Cyclone DDS's idlc makes of the IDL, and
 // the project's thin RAII over its API (common/dds).
 
@@ -15,6 +17,7 @@
 #include <map>
 #include <thread>
 
+#include "client/surface_client.hpp"
 #include "command_line/parse.hpp"
 #include "command_line/stop_signals.hpp"
 #include "options.hpp"
@@ -102,6 +105,46 @@ class Feedback {
   std::map<std::uint32_t, pelagos_ProbeV1> readings_;
 };
 
+const char* source_name(SurfaceSource source) {
+  switch (source) {
+    case SurfaceSource::kParticles:
+      return "particles";
+    case SurfaceSource::kBlended:
+      return "blended";
+    case SurfaceSource::kWaveField:
+      return "wave field";
+    case SurfaceSource::kNoWater:
+      break;
+  }
+  return "no water";
+}
+
+/// The surface at the places of --ask: prints the last answer and asks again, so that nobody waits.
+class SurfaceAsker {
+ public:
+  SurfaceAsker(const std::shared_ptr<DdsParticipant>& participant, std::uint32_t client, SurfaceQuery query)
+      : client_(participant, client), query_(std::move(query)) {}
+
+  void print_and_ask() {
+    for (const SurfaceReply& reply : client_.take()) print(reply.news);
+    if (const auto sent = client_.ask(query_); sent.refusal)
+      std::fprintf(stderr, "pelagos-example-bridge: %s\n", to_string(*sent.refusal).c_str());
+  }
+
+ private:
+  void print(const SurfaceNews& news) const {
+    if (!news.refusal.empty()) std::printf("           surface refused: %s\n", news.refusal.c_str());
+    for (std::size_t k = 0; k < std::min(news.answer.places.size(), query_.places.size()); ++k) {
+      const SurfaceAtPlace& at = news.answer.places[k];
+      std::printf("           surface at east %8.1f m, north %8.1f m: %6.2f m at %.2f s (%s)\n", query_.places[k].x(),
+                  query_.places[k].y(), at.height, news.answer.simulation_time, source_name(at.source));
+    }
+  }
+
+  SurfaceClient client_;
+  SurfaceQuery query_;
+};
+
 /// One request a probe, once: the topic keeps it for a server that starts later.
 void ask_for_probes(const DdsWriter& writer, const Options& o) {
   for (std::size_t k = 0; k < o.probe_forward.size(); ++k) {
@@ -125,12 +168,15 @@ void report(const Track& track, double time, std::uint64_t sent, std::uint32_t s
       static_cast<unsigned long long>(sent), servers);
 }
 
-int send_track(const Options& o, const Track& track) {
-  const DdsParticipant participant(o.dds);
+int send_track(const Options& o, const Track& track, const SurfaceQuery& query) {
+  const auto shared = std::make_shared<DdsParticipant>(o.dds);
+  const DdsParticipant& participant = *shared;
   const DdsWriter writer(participant, o.body == kOwnShip ? topics::own_ship_pose() : topics::body_pose());
   const DdsWriter requests(participant, topics::probe_request());
   Feedback feedback(participant, o.body);
   ask_for_probes(requests, o);
+  std::optional<SurfaceAsker> surface;
+  if (!query.places.empty()) surface.emplace(shared, o.sender, query);
   const double length = std::isfinite(end_of(track)) ? end_of(track) : 60.0;
   const double duration = o.duration > 0.0 ? o.duration : length;
   // Times must increase, also for a bridge that is started again: seconds since 1970, then by a clock nobody sets.
@@ -148,6 +194,7 @@ int send_track(const Options& o, const Track& track) {
     if (due.count() >= next_report) {
       report(track, due.count(), sent, writer.matched_readers());
       feedback.print();
+      if (surface) surface->print_and_ask();
       std::fflush(stdout);
       next_report += 1.0;
     }
@@ -170,7 +217,8 @@ int main(int argc, char** argv) {
   };
   try {
     const auto track = make_track(options);
-    return track ? send_track(options, *track) : kBadArguments;
+    const auto query = make_query(options);
+    return track && query ? send_track(options, *track, *query) : kBadArguments;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "pelagos-example-bridge: %s\n", error.what());
     return kFailed;

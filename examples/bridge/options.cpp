@@ -1,10 +1,12 @@
 #include "options.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <utility>
 
 #include "command_line/number_check.hpp"
+#include "text/decimal.hpp"
 #include "version/version.hpp"
 
 namespace pelagos::example {
@@ -25,6 +27,10 @@ void describe_options(CLI::App& app, Options& o) {
                  "asks for a wave probe that goes with the ship so far before its origin, m; up to 8 times")
       ->check(NumberFrom(-1000.0, 1000.0))
       ->expected(1, 8);
+  app.add_option("--ask", o.ask,
+                 "EAST,NORTH of a place, m: asks for the sea's surface there each second, to the horizon; repeatable");
+  app.add_option("--ask-ahead", o.ask_ahead, "s ahead of now, by the waves alone")
+      ->check(NumberFrom(0.0, SurfaceQuery::kLongestAhead));
   const NumberFrom radius(0.1, 1e5);
   app.add_option("--east", o.oval.east, "built-in oval: centre, m")->check(place)->capture_default_str();
   app.add_option("--north", o.oval.north, "built-in oval: centre, m")->check(place)->capture_default_str();
@@ -41,6 +47,25 @@ void describe_options(CLI::App& app, Options& o) {
   app.add_option("--pitch", o.pitch_deg, "degrees, amplitude (default: 1.5, with a file 0)")
       ->check(NumberFrom(0.0, 45.0));
   app.add_option("--roll", o.roll_deg, "degrees, amplitude (default: 3, with a file 0)")->check(NumberFrom(0.0, 60.0));
+}
+
+std::optional<SurfaceQuery> make_query(const Options& o) {
+  SurfaceQuery query{o.ask_ahead, {}};
+  for (const std::string& text : o.ask) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const auto east = read_decimal(text.substr(0, comma)),
+               north = read_decimal(text.substr(std::min(comma + 1, text.size())));
+    if (!east || !north) {
+      std::fprintf(stderr, "pelagos-example-bridge: --ask %s is no place; allowed: EAST,NORTH, e.g. 120,-35.5\n",
+                   text.c_str());
+      return std::nullopt;
+    }
+    query.places.emplace_back(*east, *north);
+  }
+  const auto fault = o.ask.empty() ? std::nullopt : find_fault(query);
+  if (!fault) return query;
+  std::fprintf(stderr, "pelagos-example-bridge: --ask: %s\n", to_string(*fault).c_str());
+  return std::nullopt;
 }
 
 std::optional<Track> make_track(const Options& o) {

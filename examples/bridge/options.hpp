@@ -8,6 +8,7 @@
 
 #include "pelagos_dds/participant.hpp"
 #include "track.hpp"
+#include "values/surface_query.hpp"
 
 namespace pelagos::example {
 
@@ -23,11 +24,16 @@ struct Options {
   std::string track_file;
   OvalTrack oval;
   std::vector<double> probe_forward;  // m before the ship's origin
+  std::vector<std::string> ask;       // EAST,NORTH: where the surface is asked for
+  double ask_ahead = 0.0;             // s
   double draft = 0.0;
   std::optional<double> radius_north, heave, pitch_deg, roll_deg;
 };
 
 void describe_options(CLI::App& app, Options& options);
+
+/// The query of --ask. Empty, and a message on stderr, if one of its texts is no place or the server would refuse it.
+[[nodiscard]] std::optional<SurfaceQuery> make_query(const Options& options);
 
 /// Empty, and a message on stderr, if the track file is no good.
 [[nodiscard]] std::optional<Track> make_track(const Options& options);

@@ -172,6 +172,22 @@ class ControlTest : public testing::Test {
     return place.z() > 0.0 ? Eigen::Vector3d(place.x(), place.y(), 0.5) : Eigen::Vector3d::Zero();
   }
 
+  /// Stands in for the surface: a plane that rises to the east; no water west of x = -1000.
+  SurfaceAnswer surface_at(const SurfaceQuery& query) const {
+    SurfaceAnswer answer{status_.simulation_time + query.ahead, {}};
+    for (const Eigen::Vector2d& place : query.places) {
+      SurfaceAtPlace& at = answer.places.emplace_back();
+      if (place.x() < -1000.0) continue;
+      at.source = query.ahead > 0.0 || place.x() > 100.0 ? SurfaceSource::kWaveField
+                  : place.x() > 50.0                     ? SurfaceSource::kBlended
+                                                         : SurfaceSource::kParticles;
+      at.height = 0.25 * place.x();
+      at.normal = Eigen::Vector3d(-0.25, 0.0, 1.0).normalized();
+      at.velocity = {1.5, -0.25, 0.125};
+    }
+    return answer;
+  }
+
   ServerStatus status_;                                                              // set before the server starts
   CommandSurroundings around_{{{0, 0, 0}, {60, 40, 16}}, {1, 2}, OilModel::kSlick};  // likewise
   std::optional<std::string> refusal_;                                               // likewise
@@ -215,6 +231,15 @@ class ControlTest : public testing::Test {
       AirReading reading{status_.simulation_time, {}};
       for (const Eigen::Vector3d& place : position) reading.velocity.push_back(air_at(place));
       return reading;
+    };
+    hooks.ask_surface = [this](const SurfaceQuery& query, const std::string& client,
+                               const TakeSurface& take) -> std::optional<Refusal> {
+      EXPECT_THAT(client, testing::StartsWith("station 127.0.0.1:"));
+      if (throws_) throw std::runtime_error("broken");
+      if (auto fault = find_fault(query)) return fault;
+      if (refusal_) return Refusal{"", *refusal_};
+      take({surface_at(query), ""});
+      return std::nullopt;
     };
     hooks.log = [this](LogLevel, std::string_view text) {
       const std::lock_guard lock(mutex_);

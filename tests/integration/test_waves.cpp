@@ -7,52 +7,15 @@
 
 #include "client/frame_receiver.hpp"
 #include "fields/field_difference.hpp"
-#include "running_program.hpp"
+#include "still_water_server.hpp"
 
 namespace pelagos {
 namespace {
 
-using std::chrono::milliseconds;
-using std::chrono::seconds;
 using testing::HasSubstr;
 
-constexpr seconds kPatience{60};  // for what takes a second, on a machine with other work
-
-template <class Condition>
-bool eventually(Condition&& done) {
-  const auto end = std::chrono::steady_clock::now() + kPatience;
-  while (!done()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(milliseconds(10));
-  }
-  return true;
-}
-
-class WavesOfAServer : public testing::Test {
+class WavesOfAServer : public StillWaterServer {
  protected:
-  WavesOfAServer()
-      : server_({program("pelagos-server"), "--scene", scene("still_water"), "--domain", own_domain(), "--control",
-                 "127.0.0.1:0"}) {
-    const std::string before = "control: listening on ";
-    EXPECT_TRUE(eventually([&] {
-      const std::string log = server_.errors();
-      const std::size_t place = log.find(before);
-      if (place == std::string::npos || log.find(" started") == std::string::npos) return false;
-      address_ = log.substr(place + before.size(), log.find('\n', place) - place - before.size());
-      return true;
-    })) << server_.errors();
-  }
-  static DdsSettings settings() {
-    DdsSettings settings;
-    settings.domain = static_cast<std::uint32_t>(std::stoul(own_domain()));
-    return settings;
-  }
-  std::string ask(std::vector<std::string> words) {
-    words.insert(words.begin(), {program("pelagos-ctl"), "--server", address_});
-    RunningProgram ctl(words);
-    EXPECT_EQ(ctl.wait(kPatience), 0) << ctl.errors();
-    return ctl.output();
-  }
   nlohmann::json sea_status() { return nlohmann::json::parse(ask({"status", "--json"})).at("sea"); }
   /// What a viewer has of the sea, once it has so many layers.
   static WaveField sea_of(const FrameReceiver& viewer, std::size_t layers) {
@@ -63,9 +26,6 @@ class WavesOfAServer : public testing::Test {
     const auto scene = viewer.scene_info();
     return scene ? scene->sea : WaveField();
   }
-
-  RunningProgram server_;
-  std::string address_;
 };
 
 TEST_F(WavesOfAServer, BlendAlikeInEveryViewer) {

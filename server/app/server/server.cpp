@@ -36,7 +36,8 @@ Server::Server(const ServerOptions& options, const std::atomic<bool>& stop)
 }
 
 Server::~Server() {
-  gate_.close();     // whoever waits for an answer gets one while the link stands
+  gate_.close();  // whoever waits for an answer gets one while the link stands
+  desk_.close();
   control_.reset();  // first: its hooks use everything else
   install_dds_log({});
 }
@@ -54,16 +55,22 @@ ControlHooks Server::control_hooks() {
   hooks.find_refusal = [around = command_surroundings(options_.scene)](const Command& c) {
     return find_refusal(c, around);
   };
-  hooks.status = [this] {
-    ServerStatus status = *board_.status();
-    status.scheduled = static_cast<std::uint32_t>(gate_.scheduled_count());
-    return status;
-  };
+  hooks.status = [this] { return status(); };
   hooks.read_air = [this](const std::vector<Eigen::Vector3d>& position) { return board_.read_air(position); };
+  hooks.ask_surface = [this](const SurfaceQuery& query, const std::string& client, TakeSurface take) {
+    return desk_.ask(query, client, std::move(take));
+  };
   hooks.log = [](LogLevel level, std::string_view text) {
     level == LogLevel::kInfo ? log_info(text) : level == LogLevel::kWarning ? log_warning(text) : log_error(text);
   };
   return hooks;
+}
+
+ServerStatus Server::status() const {
+  ServerStatus status = *board_.status();
+  status.scheduled = static_cast<std::uint32_t>(gate_.scheduled_count());
+  status.surface_queries = desk_.counts();
+  return status;
 }
 
 void Server::open_links() {
@@ -109,6 +116,12 @@ void Server::open_world() {
                   world_->bodies().sample_count(), options_.threads, options_.domain));
   publisher_->publish_scene_info(world_->describe());
   gate_.open(participant_, [](std::string_view line) { log_warning(line); });
+  surface_link_ = std::make_unique<SurfaceLink>(
+      participant_, publisher_->source(),
+      [this](const SurfaceQuery& query, const std::string& client, TakeSurface take) {
+        return desk_.ask(query, client, std::move(take));
+      },
+      [](std::string_view line) { log_warning(line); });
 }
 
 /// While the water settles the status already holds what the world starts with.
@@ -140,11 +153,12 @@ void Server::open_records() {
 }
 
 ServerSummary Server::run() {
-  SimulationLoop loop({*world_, gate_, *recorder_, board_, *announcer_, *publisher_},
+  SimulationLoop loop({*world_, gate_, desk_, *recorder_, board_, *announcer_, *publisher_},
                       {options_.duration, options_.paced}, status_);
   ServerSummary summary;
   summary.end = loop.run(stop_);
   gate_.close();
+  desk_.close();
   if (summary.end == ServerEnd::kReplayEnded) summary.replay_differs = !tell_replay_end();
   if (const std::size_t waiting = gate_.scheduled_count(); waiting > 0)
     log_info(fmt::format("{} commands were not due before the end", waiting));

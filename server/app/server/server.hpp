@@ -15,7 +15,9 @@
 #include "simulation/world.hpp"
 #include "simulation_loop.hpp"
 #include "status_board.hpp"
+#include "surface_desk.hpp"
 #include "transport/frame_publisher.hpp"
+#include "transport/surface_link.hpp"
 #include "values/scene.hpp"
 
 namespace pelagos {
@@ -70,6 +72,8 @@ class Server {
 
  private:
   [[nodiscard]] ControlHooks control_hooks();
+  /// As the board has it, with what is counted elsewhere.
+  [[nodiscard]] ServerStatus status() const;
   void open_links();
   void open_world();
   void tell_placed(const World& world);
@@ -83,12 +87,14 @@ class Server {
   ServerOptions options_;
   const std::atomic<bool>& stop_;
   InputGate gate_;
+  SurfaceDesk desk_;
   StatusBoard board_;
   ServerStatus status_;     ///< as the run starts
   std::optional<Air> air_;  ///< likewise
   std::unique_ptr<ControlServer> control_;
   std::shared_ptr<DdsParticipant> participant_;
   std::unique_ptr<FramePublisher> publisher_;
+  std::unique_ptr<SurfaceLink> surface_link_;
   std::unique_ptr<World> world_;
   std::unique_ptr<Announcer> announcer_;
   std::optional<Recorder> recorder_;

@@ -54,6 +54,7 @@ ServerEnd SimulationLoop::run(const std::atomic<bool>& stop) {
   Pacer pacer(world.time());
   while (!ended(stop)) {
     take_inputs();
+    parts_.desk.serve(world);
     if (clock_.state() == RunClock::State::kPaused) {
       stand_still();
       pacer.restart(world.time());

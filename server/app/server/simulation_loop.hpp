@@ -13,6 +13,7 @@
 #include "simulation/world.hpp"
 #include "status_board.hpp"
 #include "status_window.hpp"
+#include "surface_desk.hpp"
 #include "transport/frame_publisher.hpp"
 #include "watches.hpp"
 
@@ -30,6 +31,7 @@ enum class ServerEnd { kStopped, kDurationReached, kReplayEnded, kNumericalFault
 struct LoopParts {
   World& world;
   InputGate& gate;
+  SurfaceDesk& desk;
   Recorder& recorder;
   StatusBoard& board;
   Announcer& announcer;

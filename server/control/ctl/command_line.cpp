@@ -23,6 +23,7 @@ constexpr const char* kExamples = R"(Examples:
   pelagos-ctl wind --period 8 --width 3                blows 3 s of every 8 s
   pelagos-ctl wind --off --at 600                      calm, 600 s into the simulation
   pelagos-ctl wind-at 12 -4 10                         what an anemometer there would read
+  pelagos-ctl surface --at 120,-35 --at=-900,0 --ahead 2   the water's surface there in 2 s
   pelagos-ctl current --speed 1.5 --to 90 --ramp 60    1.5 m/s, setting to the east
   pelagos-ctl waves --wave 1.2,60,270 --wave 0.4,5s,250 --blend 30  two waves, in place of all others within 30 s
   pelagos-ctl sea --hs 2 --tp 7 --to 250 --swell 1.5,12,300 --blend 60   a wind sea and a swell within a minute
@@ -134,6 +135,7 @@ CommandLine::CommandLine() {
   add_current_options();
   waves.add_to(app);
   sea.add_to(app);
+  surface.add_to(app);
   response.add_to(app);
   for (CLI::App* one : timed()) one->add_option("--at", options.at, "Not now but at this simulated time, s");
   for (CLI::App* one : app.get_subcommands([](CLI::App*) { return true; })) one->footer(examples_of(one->get_name()));
@@ -249,6 +251,7 @@ RequestResult to_request(const CommandLine& line) {
   Request& request = result.request;
   if (line.status->parsed()) request.mutable_get_status();
   if (line.wind_at->parsed()) fill_places(options.places, *request.mutable_query_wind());
+  if (line.surface.surface->parsed()) result.fault = line.surface.fill(*request.mutable_query_surface());
   if (line.schedule->parsed()) request.mutable_get_schedule();
   if (line.cancel->parsed()) request.mutable_cancel_scheduled()->set_id(options.cancelled);
 

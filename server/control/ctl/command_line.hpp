@@ -8,6 +8,7 @@
 #include "control.pb.h"
 #include "response_commands.hpp"
 #include "sea_command.hpp"
+#include "surface_command.hpp"
 #include "waves_command.hpp"
 
 namespace pelagos {
@@ -62,6 +63,7 @@ struct CommandLine {
   CLI::App* cancel = nullptr;
   WavesCommand waves;
   SeaCommand sea;
+  SurfaceCommand surface;
   ResponseCommands response;
 
   CommandLine();

@@ -8,6 +8,7 @@
 #include "command_line/parse.hpp"
 #include "control_client.hpp"
 #include "print.hpp"
+#include "surface_command.hpp"
 #include "text/printable.hpp"
 
 namespace pelagos {
@@ -35,7 +36,7 @@ std::string scheduled_text(std::uint64_t id, bool timed) {
                      "status tell if it refuses";
 }
 
-int print_response(const Response& response, bool timed, bool json, std::ostream& out, std::ostream& err) {
+int print_response(const Request& request, const Response& response, bool json, std::ostream& out, std::ostream& err) {
   if (response.has_error()) return print_error(response.error(), json, out, err);
   if (response.has_status()) {
     if (json) {
@@ -53,13 +54,18 @@ int print_response(const Response& response, bool timed, bool json, std::ostream
     out << (json ? to_json(response.wind_reading()).dump() + "\n" : printable_lines(describe(response.wind_reading())));
     return 0;
   }
+  if (response.has_surface_answer()) {
+    out << (json ? to_json(response.surface_answer()).dump() + "\n"
+                 : printable_lines(describe(request.query_surface(), response.surface_answer())));
+    return 0;
+  }
   const std::uint64_t id = response.accepted().scheduled_id();
   if (json) {
     nlohmann::ordered_json done{{"ok", true}};
     if (id > 0) done["scheduled_id"] = id;
     out << done.dump() << "\n";
   } else {
-    out << (id > 0 ? scheduled_text(id, timed) : "done") << "\n";
+    out << (id > 0 ? scheduled_text(id, request.command().has_at()) : "done") << "\n";
   }
   return 0;
 }
@@ -116,7 +122,7 @@ int run_command(const CommandLine& line, std::ostream& out, std::ostream& err) {
   }
   ControlClient client(*server.endpoint, std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1e3)));
   if (line.events->parsed()) return follow_events(client, options, out, err);
-  return print_response(client.ask(request.request), request.request.command().has_at(), options.json, out, err);
+  return print_response(request.request, client.ask(request.request), options.json, out, err);
 }
 
 }  // namespace

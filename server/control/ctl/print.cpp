@@ -281,6 +281,8 @@ std::string describe(const proto::v1::Status& s) {
     text += format("schedule   %u command%s\n", s.scheduled(), s.scheduled() == 1 ? " waits" : "s wait");
   if (s.commands_refused() > 0)
     text += format("refused    %llu, the last at ", ull{s.commands_refused()}) + s.last_refusal() + "\n";
+  if (const auto& q = s.surface_queries(); q.answered() + q.refused() > 0)
+    text += format("queries    %llu of the surface answered, %llu refused\n", ull{q.answered()}, ull{q.refused()});
   if (s.has_command_log()) text += "record     " + describe_record(s.command_log()) + "\n";
   for (const auto& body : s.body()) text += "body       " + describe_body(body) + "\n";
   text += format("stations   %u\n", s.stations());

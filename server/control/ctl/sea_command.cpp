@@ -7,7 +7,7 @@
 #include "command_line/number_check.hpp"
 #include "help_text.hpp"
 #include "messages/limits.hpp"
-#include "text/decimal.hpp"
+#include "number_list.hpp"
 
 namespace pelagos {
 namespace {
@@ -32,18 +32,11 @@ constexpr std::array kMainOptions{"--hs",     "--douglas",     "--beaufort",    
 
 /// Three numbers with commas between them.
 bool read_swell(const std::string& text, WaveSystem& out) {
-  std::vector<double> numbers;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    const std::optional<double> number = read_decimal(text.substr(from, comma - from));
-    if (!number) return false;
-    numbers.push_back(*number);
-    from = comma + 1;
-  }
-  if (numbers.size() != 3) return false;
-  out.set_height(numbers[0]);
-  out.set_peak_period(numbers[1]);
-  out.set_to_deg(numbers[2]);
+  const auto numbers = read_numbers(text);
+  if (!numbers || numbers->size() != 3) return false;
+  out.set_height(numbers->at(0));
+  out.set_peak_period(numbers->at(1));
+  out.set_to_deg(numbers->at(2));
   out.set_gamma(kSwellGamma);
   out.set_spreading_at_peak(kSwellSpreading);
   return true;

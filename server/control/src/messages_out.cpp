@@ -211,6 +211,8 @@ proto::v1::Status to_message(const ServerStatus& status, std::size_t stations) {
   if (status.edges) fill(*status.edges, *message.mutable_edges());
   message.set_scheduled(status.scheduled);
   message.set_commands_refused(status.commands_refused);
+  message.mutable_surface_queries()->set_answered(status.surface_queries.answered);
+  message.mutable_surface_queries()->set_refused(status.surface_queries.refused);
   if (!status.last_refusal.empty()) message.set_last_refusal(printable(status.last_refusal, 1000));
   for (const BodyState& body : status.bodies) fill(body, *message.add_body());
   if (status.command_log) fill(*status.command_log, *message.mutable_command_log());
@@ -249,6 +251,38 @@ proto::v1::WindReading to_message(const AirReading& reading) {
     fill(velocity, *place.mutable_velocity());
     place.set_speed(speed);
     if (speed > 0.0) place.set_from_deg(wind_from_deg(velocity));
+  }
+  return message;
+}
+
+namespace {
+
+proto::v1::SurfaceAtPlace::Source to_message(SurfaceSource source) {
+  switch (source) {
+    case SurfaceSource::kParticles:
+      return proto::v1::SurfaceAtPlace::PARTICLES;
+    case SurfaceSource::kBlended:
+      return proto::v1::SurfaceAtPlace::BLENDED;
+    case SurfaceSource::kWaveField:
+      return proto::v1::SurfaceAtPlace::WAVE_FIELD;
+    case SurfaceSource::kNoWater:
+      break;
+  }
+  return proto::v1::SurfaceAtPlace::NO_WATER;
+}
+
+}  // namespace
+
+proto::v1::SurfaceAnswer to_message(const SurfaceAnswer& answer) {
+  proto::v1::SurfaceAnswer message;
+  message.set_simulation_time(answer.simulation_time);
+  for (const SurfaceAtPlace& at : answer.places) {
+    proto::v1::SurfaceAtPlace& place = *message.add_place();
+    place.set_source(to_message(at.source));
+    if (at.source == SurfaceSource::kNoWater) continue;
+    place.set_height(at.height);
+    fill(at.normal, *place.mutable_normal());
+    fill(at.velocity, *place.mutable_velocity());
   }
   return message;
 }

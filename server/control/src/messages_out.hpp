@@ -13,6 +13,7 @@ namespace pelagos {
 [[nodiscard]] proto::v1::ServerMessage to_message(const Event& event);
 void fill(const ScheduledCommand& from, proto::v1::ScheduledCommand& to);
 [[nodiscard]] proto::v1::WindReading to_message(const AirReading& reading);
+[[nodiscard]] proto::v1::SurfaceAnswer to_message(const SurfaceAnswer& answer);
 [[nodiscard]] proto::v1::ServerMessage error_message(std::uint64_t id, proto::v1::Error::Code code, std::string text,
                                                      const std::string& field = "");
 

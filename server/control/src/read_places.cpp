@@ -22,4 +22,12 @@ std::vector<Eigen::Vector3d> read_places(const FieldReader& query) {
   return places;
 }
 
+SurfaceQuery read_surface_query(const proto::v1::QuerySurface& query, const FieldReader& reader) {
+  static_cast<void>(reader.children("place"));
+  SurfaceQuery read;
+  read.ahead = query.ahead();
+  for (const proto::v1::Place& place : query.place()) read.places.emplace_back(place.x(), place.y());
+  return read;
+}
+
 }  // namespace pelagos

@@ -7,7 +7,6 @@
 #include <boost/asio/write.hpp>
 
 #include "messages_out.hpp"
-#include "read_places.hpp"
 #include "version/version.hpp"
 
 namespace pelagos {
@@ -259,6 +258,8 @@ void Station::dispatch(const Request& request) {
       return answer_cancel(request);
     case Request::kQueryWind:
       return answer_wind_query(request);
+    case Request::kQuerySurface:
+      return answer_surface_query(request);
     case Request::BODY_NOT_SET:
       break;
   }
@@ -288,16 +289,6 @@ void Station::answer_hello(const Request& request) {
   body.set_protocol_version(kProtocolVersion);
   body.set_server_version(kVersion);
   body.set_scene(printable(context_.hooks.status().scene));
-  send(reply);
-}
-
-void Station::answer_wind_query(const Request& request) {
-  FieldFaults faults;
-  const std::vector<Eigen::Vector3d> places = read_places(FieldReader(request, faults).child("query_wind"));
-  if (!faults.empty()) return refuse_values(request.id(), faults);
-  ServerMessage reply;
-  reply.mutable_response()->set_id(request.id());
-  *reply.mutable_response()->mutable_wind_reading() = to_message(context_.hooks.read_air(places));
   send(reply);
 }
 

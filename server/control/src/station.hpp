@@ -82,6 +82,7 @@ class Station : public std::enable_shared_from_this<Station> {
   void answer_schedule(const proto::v1::Request& request);
   void answer_cancel(const proto::v1::Request& request);
   void answer_wind_query(const proto::v1::Request& request);
+  void answer_surface_query(const proto::v1::Request& request);
   /// @param path  of the command in the request, for what is refused later
   void submit(std::uint64_t id, const std::string& path, const Command& command);
   void schedule(std::uint64_t id, const Command& command, double at);
@@ -92,6 +93,8 @@ class Station : public std::enable_shared_from_this<Station> {
   /// Answers go out in the order of the requests: one that is still to come holds back those behind it.
   using Reply = std::shared_ptr<std::optional<proto::v1::ServerMessage>>;
   Reply expect_reply();
+  /// How a reply that is still to come is given, from any thread.
+  [[nodiscard]] std::function<void(proto::v1::ServerMessage, bool refused)> reply_later(const Reply& reply);
   void settle(const Reply& reply, proto::v1::ServerMessage message);
   void flush_replies();
   void send(const proto::v1::ServerMessage& message);

@@ -67,20 +67,24 @@ ServerMessage reply_to(std::uint64_t id, const std::string& path, const CommandA
 
 }  // namespace
 
-void Station::submit(std::uint64_t id, const std::string& path, const Command& command) {
-  const Reply reply = expect_reply();
-  const auto answer = [weak = weak_from_this(), executor = socket_.get_executor(), reply, id,
-                       path](const CommandAnswer& news) {
-    boost::asio::post(executor, [weak, reply, id, path, news] {
+std::function<void(ServerMessage, bool)> Station::reply_later(const Reply& reply) {
+  return [weak = weak_from_this(), executor = socket_.get_executor(), reply](ServerMessage message, bool refused) {
+    boost::asio::post(executor, [weak, reply, refused, message = std::move(message)] {
       const auto self = weak.lock();
       if (!self) return;
-      if (news.refusal) ++self->context_.counters.invalid;
-      self->settle(reply, reply_to(id, path, news));
+      if (refused) ++self->context_.counters.invalid;
+      self->settle(reply, message);
     });
   };
+}
+
+void Station::submit(std::uint64_t id, const std::string& path, const Command& command) {
+  const Reply reply = expect_reply();
   std::optional<std::string> refusal;
   try {
-    refusal = context_.hooks.submit(command, name_, answer);
+    refusal = context_.hooks.submit(command, name_, [give = reply_later(reply), id, path](const CommandAnswer& news) {
+      give(reply_to(id, path, news), news.refusal.has_value());
+    });
   } catch (...) {
     replies_.pop_back();
     throw;

@@ -187,6 +187,23 @@ std::optional<SampleFault> find_fault(const pelagos_SeaV1& sea) {
   return std::move(checks).result();
 }
 
+std::optional<SampleFault> find_fault(const pelagos_SurfaceAnswerV1& answer) {
+  Checks checks;
+  checks.that(answer.frame == pelagos_FRAME_ENU || answer.frame == pelagos_FRAME_NED, "frame",
+              "is neither FRAME_ENU nor FRAME_NED");
+  checks.within("simulation_time", answer.simulation_time, -kLongestTime, kLongestTime);
+  checks.count("places", answer.places._length, SurfaceQuery::kMostPlaces);
+  for (std::uint32_t i = 0; i < answer.places._length && !checks.failed(); ++i) {
+    const pelagos_SurfaceAtPlaceV1& at = answer.places._buffer[i];
+    checks.at("places", i);
+    checks.that(at.source <= pelagos_SURFACE_WAVE_FIELD, "source", "is none of the four values of SurfaceSource");
+    checks.vector("surface", at.surface, kFarthest);
+    checks.vector("normal", at.normal, 1.001);
+    checks.vector("velocity", at.velocity, kFastest);
+  }
+  return std::move(checks).result();
+}
+
 std::optional<SampleFault> find_fault(const pelagos_BodyShapeV1& shape) {
   constexpr std::uint64_t kMostTriangles = BodySurface::kMostTriangles;
   const auto& vertices = shape.vertices;

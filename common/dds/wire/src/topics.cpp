@@ -89,6 +89,24 @@ TopicSpec probe_request() {
   return {"probe_request_v1", &pelagos_ProbeRequestV1_desc, for_late({}), reader};
 }
 
+// The server takes best effort too, so that every bridge matches. Depth 4: a bridge may ask again before its last
+// query has been answered.
+TopicSpec surface_query() {
+  TopicQos writer, reader;
+  writer.depth = 4;
+  reader.reliable = false;
+  reader.depth = 4;
+  reader.most_instances = 256;
+  return {"surface_query_v1", &pelagos_SurfaceQueryV1_desc, writer, reader};
+}
+
+TopicSpec surface_answer() {
+  TopicQos writer, reader = reader_qos();
+  writer.depth = 4;
+  reader.most_instances = 256;  // a reader hears the answers to other clients too
+  return {"surface_answer_v1", &pelagos_SurfaceAnswerV1_desc, writer, reader};
+}
+
 // Events come in bursts and each one counts.
 TopicSpec event() {
   TopicQos writer;

@@ -14,6 +14,7 @@
 #include "values/hold_reading.hpp"
 #include "values/oil_budget.hpp"
 #include "values/sea_request.hpp"
+#include "values/surface_query.hpp"
 #include "values/wind.hpp"
 #include "waves/wave_field.hpp"
 
@@ -94,6 +95,7 @@ struct ServerStatus {
   std::uint32_t scheduled = 0;         ///< commands that wait for their time
   std::uint64_t commands_refused = 0;  ///< at a step boundary, since the start
   std::string last_refusal;            ///< the last of them: when, who, what and why; empty: there is none
+  SurfaceQueryCounts surface_queries;
   std::vector<BodyState> bodies;
   std::vector<HoldReading> holds;              ///< of the bodies that have one
   std::vector<std::string> start_notes;        ///< what the operator should know about the start of the scene

@@ -3,7 +3,9 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "values/refusal.hpp"
@@ -41,6 +43,24 @@ struct SurfaceAtPlace {
 struct SurfaceAnswer {
   double simulation_time = 0.0;        ///< s: of the readings, `ahead` included
   std::vector<SurfaceAtPlace> places;  ///< in the order of the query
+};
+
+/// What became of a query that was taken.
+struct SurfaceNews {
+  SurfaceAnswer answer;
+  std::string refusal;  ///< why there is no answer; empty: there is one
+};
+using TakeSurface = std::function<void(const SurfaceNews&)>;
+
+/// How those who take queries are asked, from any thread. `client` tells those who ask from each other, e.g.
+/// "bridge 3". @return nothing, or why the query is not taken: then `take` is not called
+using AskSurface =
+    std::function<std::optional<Refusal>(const SurfaceQuery& query, const std::string& client, TakeSurface take)>;
+
+/// Since the start.
+struct SurfaceQueryCounts {
+  std::uint64_t answered = 0;
+  std::uint64_t refused = 0;  ///< for a value, or beyond the limits
 };
 
 }  // namespace pelagos

@@ -15,6 +15,7 @@
 #include "values/command_answer.hpp"
 #include "values/command_surroundings.hpp"
 #include "values/status.hpp"
+#include "values/surface_query.hpp"
 
 namespace pelagos {
 
@@ -68,6 +69,8 @@ struct ControlHooks {
   std::function<ServerStatus()> status;
   /// The air as it moves now at each of the places (m, world).
   std::function<AirReading(const std::vector<Eigen::Vector3d>& position)> read_air;
+  /// Takes a query of the surface. A refusal with a field is of a value, named as in a QuerySurface.
+  AskSurface ask_surface;
   std::function<void(LogLevel level, std::string_view text)> log;  ///< 20 lines at once, then about 20 a minute
 };
 

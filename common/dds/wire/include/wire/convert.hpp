@@ -14,6 +14,7 @@
 #include "values/slick.hpp"
 #include "values/snapshot.hpp"
 #include "values/status.hpp"
+#include "values/surface_query.hpp"
 #include "values/wind.hpp"
 #include "wire/sample_fault.hpp"
 
@@ -40,6 +41,39 @@ namespace pelagos::wire {
 [[nodiscard]] ProbeSettings from_wire(const pelagos_ProbeRequestV1& request);
 [[nodiscard]] pelagos_ProbeRequestV1 to_wire(const ProbeSettings& probe, std::uint32_t sender,
                                              pelagos_WorldFrame frame);
+
+/// Places and answers are in the query's frame on the wire, in ENU as values.
+class SurfaceQuerySample {
+ public:
+  SurfaceQuerySample(const SurfaceQuery& query, std::uint32_t client, std::uint64_t number, pelagos_WorldFrame frame);
+  [[nodiscard]] const pelagos_SurfaceQueryV1& get() const { return sample_; }
+
+ private:
+  std::vector<pelagos_PlaceV1> places_;
+  pelagos_SurfaceQueryV1 sample_{};
+};
+
+/// A query as it came, with what its answer must repeat.
+struct ReceivedSurfaceQuery {
+  std::uint32_t client = 0;
+  std::uint64_t number = 0;
+  pelagos_WorldFrame frame = pelagos_FRAME_ENU;
+  SurfaceQuery query;
+  std::string fault;  ///< the first, by the fields of the sample; empty: none
+};
+[[nodiscard]] ReceivedSurfaceQuery from_wire(const pelagos_SurfaceQueryV1& query);
+
+class SurfaceAnswerSample {
+ public:
+  SurfaceAnswerSample(const SurfaceNews& news, const ReceivedSurfaceQuery& to, std::uint64_t source);
+  [[nodiscard]] const pelagos_SurfaceAnswerV1& get() const { return sample_; }
+
+ private:
+  std::vector<pelagos_SurfaceAtPlaceV1> places_;
+  pelagos_SurfaceAnswerV1 sample_{};
+};
+/// Does not validate: see find_fault.
+[[nodiscard]] SurfaceNews from_wire(const pelagos_SurfaceAnswerV1& answer);
 
 /// The load of a frame; `frame` says which body axes it is written in.
 [[nodiscard]] pelagos_BodyLoadV1 to_wire(const BodyLoad& load, const Snapshot& snapshot, std::uint64_t source,

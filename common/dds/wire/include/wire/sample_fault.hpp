@@ -34,6 +34,7 @@ struct SampleFault {
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_StatusV2& status);
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_WindV1& wind);
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_SlickV1& slick);
+[[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_SurfaceAnswerV1& answer);
 /// Texts of events are cut, not refused: what they tell must not be lost.
 [[nodiscard]] std::optional<SampleFault> find_fault(const pelagos_EventV1& event);
 

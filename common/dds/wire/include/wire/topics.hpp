@@ -18,6 +18,8 @@ namespace pelagos::topics {
 [[nodiscard]] TopicSpec probe();
 [[nodiscard]] TopicSpec air();
 [[nodiscard]] TopicSpec probe_request();
+[[nodiscard]] TopicSpec surface_query();
+[[nodiscard]] TopicSpec surface_answer();
 [[nodiscard]] TopicSpec event();
 [[nodiscard]] TopicSpec own_ship_pose();
 [[nodiscard]] TopicSpec body_pose();
