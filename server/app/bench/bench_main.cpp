@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "bench_limits.hpp"
+#include "bench_queries.hpp"
 #include "bench_run.hpp"
 #include "command_line/number_check.hpp"
 #include "command_line/parse.hpp"
@@ -36,6 +37,7 @@ struct RunArguments {
   std::string json_file, instruction_set;
   BenchOptions options;
   int limit_steps = 100;  ///< of `limits`, before it measures
+  int query_steps = 30;   ///< of `queries`, while it measures
 };
 
 /// What both subcommands know.
@@ -170,6 +172,25 @@ int limits(RunArguments& arguments) {
   return write_json(json, arguments.json_file) ? 0 : 1;
 }
 
+int queries(RunArguments& arguments) {
+  if (!try_output(arguments.json_file) || !choose_instruction_set(arguments.instruction_set)) return 1;
+  const std::optional<Scene> scene = prepare_scene(arguments);
+  if (!scene) return 1;
+  const BenchQueries r = measure_queries(*scene, arguments.options.threads, arguments.query_steps);
+  nlohmann::ordered_json json;
+  json["scene"] = scene->name;
+  json["particles"] = r.particles;
+  add_machine(json, arguments.options.threads);
+  json["places"] = r.places;
+  json["step_ms"] = r.step_ms;
+  json["first_read_ms"] = r.first_read_ms;
+  json["next_read_ms"] = r.next_read_ms;
+  for (const BenchQueries::Waves& waves : r.waves)
+    json["waves"].push_back(
+        {{"components", waves.components}, {"within_1_km_ms", waves.near_ms}, {"within_20_km_ms", waves.far_ms}});
+  return write_json(json, arguments.json_file) ? 0 : 1;
+}
+
 int run(RunArguments& arguments) {
   on_stop_signals(request_stop);
   if (!try_output(arguments.json_file) || !choose_instruction_set(arguments.instruction_set)) return 1;
@@ -218,8 +239,14 @@ int main(int argc, char** argv) {
   pelagos::add_common_options(limits, arguments);
   limits.add_option("--steps", arguments.limit_steps, "Time steps before the measurement (default: 100)")
       ->check(pelagos::WholeFrom(1, 1000000));
+  CLI::App& queries = *app.add_subcommand(
+      "queries", "Measure what a query of the surface with 1,000 places costs: particles, and 40 and 200 waves");
+  pelagos::add_common_options(queries, arguments);
+  queries.add_option("--steps", arguments.query_steps, "Time steps in which it measures (default: 30)")
+      ->check(pelagos::WholeFrom(1, 1000000));
   if (const auto status = pelagos::parse_command_line(app, argc, argv)) return *status;
   try {
+    if (queries.parsed()) return pelagos::queries(arguments);
     return limits.parsed() ? pelagos::limits(arguments) : pelagos::run(arguments);
   } catch (const std::exception& error) {
     std::cerr << "pelagos-bench: " << error.what() << '\n';
