@@ -34,7 +34,7 @@ const char* describe_health(PoseHealth health) {
 
 void Watches::look(const World& world, const Snapshot& frame, Announcer& announcer) {
   look_at_health(frame.bodies, announcer);
-  look_at_places(world.patch().box, frame.bodies, announcer);
+  look_at_places(world.patch(), frame.bodies, announcer);
   for (const std::string& news : holds_.look(world.bodies().holds())) announcer.announce("hold", "server", news);
   look_at_edges(world, announcer);
   if (frame.oil) look_at_oil(frame.oil->budget, world.time(), announcer);
@@ -50,7 +50,9 @@ void Watches::look_at_health(const std::vector<BodyState>& states, Announcer& an
   }
 }
 
-void Watches::look_at_places(const Box& patch, const std::vector<BodyState>& states, Announcer& announcer) {
+void Watches::look_at_places(const PatchFrame& frame, const std::vector<BodyState>& states, Announcer& announcer) {
+  const Box& patch = frame.box;
+  const char* carries = is_open(frame.edges) ? "the waves around carry it" : "it meets no water there";
   outside_.resize(states.size(), false);
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Eigen::Vector3d& x = states[i].position;
@@ -59,7 +61,7 @@ void Watches::look_at_places(const Box& patch, const std::vector<BodyState>& sta
     outside_[i] = outside;
     const std::string where =
         fmt::format("body {} at ({:.1f}, {:.1f}, {:.1f}) m ", states[i].body, x.x(), x.y(), x.z());
-    if (outside) log_warning(where + "has left the patch: it meets no water there");
+    if (outside) log_warning(where + "has left the patch: " + carries);
     announcer.announce(outside ? "body_outside" : "body_inside", "server",
                        where + (outside ? "has left the patch" : "is inside the patch again"));
   }

@@ -23,7 +23,7 @@ class Watches {
 
  private:
   void look_at_health(const std::vector<BodyState>& states, Announcer& announcer);
-  void look_at_places(const Box& patch, const std::vector<BodyState>& states, Announcer& announcer);
+  void look_at_places(const PatchFrame& frame, const std::vector<BodyState>& states, Announcer& announcer);
   void look_at_oil(const OilBudget& oil, double time, Announcer& announcer);
   /// Tells when the water of an open sea no longer follows the waves around it, and when it does again.
   void look_at_edges(const World& world, Announcer& announcer);

@@ -43,6 +43,17 @@ class ContactCollector {
           (foot - state_.coupling.bodies[static_cast<std::size_t>(body)].centre.cast<float>()).cross(gradient);
     }
   }
+  /// What particle i has met counts with its share.
+  void fade(std::size_t i) {
+    const Float4& x = state_.particles.position[i];
+    const float share = state_.coupling.fade.share(x.x, x.y);
+    if (share == 1.0F) return;
+    while (!out_.empty() && out_.back().particle == i && share == 0.0F) out_.pop_back();
+    for (auto contact = out_.rbegin(); contact != out_.rend() && contact->particle == i; ++contact) {
+      contact->gradient *= share;
+      contact->moment *= share;
+    }
+  }
 
  private:
   /// What moves an image moves its source by the reflected way.
@@ -103,6 +114,7 @@ void find_contacts(TaskPool& pool, FluidState& state) {
     for (std::size_t i = begin; i < end; ++i) {
       if (state.wall_list.pair_count[i] > 0) collector.collect(i);
       if (!state.solids.empty() && state.solid_planes.group[i / kLanes] != 0) collector.collect_solids(i);
+      if (coupling.fade.acts()) collector.fade(i);
     }
   });
   for (const std::vector<BodyContact>& part : parts)

@@ -246,7 +246,8 @@ void put_back(const FluidState& state, std::size_t solid, const Float4& surface,
   velocity.x += change.x(), velocity.y += change.y(), velocity.z += change.z();
   if (owner < 0) return;
   const CoupledBody& body = state.coupling.bodies[static_cast<std::size_t>(owner)];
-  const double mass = state.parameters.rest_density * state.parameters.volume();
+  const double mass = state.parameters.rest_density * state.parameters.volume() *
+                      static_cast<double>(state.coupling.fade.share(position.x, position.y));
   pushes[static_cast<std::size_t>(owner)].add(-mass * change.cast<double>(), foot.cast<double>() - body.centre);
 }
 
@@ -327,7 +328,8 @@ void give_filter_to_bodies(TaskPool& pool, FluidState& state, float factor) {
         const Float4 &plane = planes.plane[slot][i], &x = planes.position[i];
         const Eigen::Vector3f foot = vector_of(x) - distance(plane, x) * vector_of(plane);
         const auto k = static_cast<std::size_t>(body);
-        pushes[k].add(-mass * vector_of(state.filter_change.solid[slot][i]).cast<double>(),
+        const double counted = mass * static_cast<double>(state.coupling.fade.share(x.x, x.y));
+        pushes[k].add(-counted * vector_of(state.filter_change.solid[slot][i]).cast<double>(),
                       foot.cast<double>() - state.coupling.bodies[k].centre);
       }
   });

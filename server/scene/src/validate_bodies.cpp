@@ -50,16 +50,24 @@ Eigen::Quaterniond read_orientation(const FieldReader& reader) {
   return {wxyz[0], wxyz[1], wxyz[2], wxyz[3]};
 }
 
-void read_place(const FieldReader& reader, const std::optional<Box>& patch, BodySettings& body) {
-  reader.require("position");
-  if (!reader.read("position", {-1e6, 1e6, "m"}, body.position) || !patch) return;
-  const bool inside =
-      (body.position.array() >= patch->min.array()).all() && (body.position.array() <= patch->max.array()).all();
-  if (!inside) {
-    reader.fault("position", "(" + format_number(body.position.x()) + ", " + format_number(body.position.y()) + ", " +
-                                 format_number(body.position.z()) +
-                                 ") is outside the patch; allowed: within its walls");
+/// Beyond open edges the sea goes on, and carries what moves.
+bool is_in_water(const Box& patch, const PatchEdges& edges, const BodySettings& body) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool goes_on = edges[static_cast<std::size_t>(axis)] == PatchEdge::kOpen && body.drive != BodyDrive::kStatic;
+    if (!goes_on && !(body.position[axis] >= patch.min[axis] && body.position[axis] <= patch.max[axis])) return false;
   }
+  return true;
+}
+
+void read_place(const FieldReader& reader, const std::optional<Box>& patch, const PatchEdges& edges,
+                BodySettings& body) {
+  reader.require("position");
+  if (!reader.read("position", {-1e6, 1e6, "m"}, body.position) || !patch || is_in_water(*patch, edges, body)) return;
+  const bool open = is_open(edges);
+  reader.fault("position",
+               "(" + format_number(body.position.x()) + ", " + format_number(body.position.y()) + ", " +
+                   format_number(body.position.z()) + ") is outside the patch; allowed: within its " +
+                   (open ? "sides, or beyond OPEN ones with drive FREE, POSE or POSE_HORIZONTAL" : "walls"));
 }
 
 BodyDrive drive_of(int drive) {
@@ -129,7 +137,8 @@ void read_freedom(const FieldReader& reader, BodySettings& body) {
       reader.fault(name, "is given to a body that is not free; allowed: with drive FREE");
 }
 
-BodySettings read_body(const FieldReader& reader, const std::optional<Box>& patch, const SceneSource& source) {
+BodySettings read_body(const FieldReader& reader, const std::optional<Box>& patch, const PatchEdges& edges,
+                       const SceneSource& source) {
   BodySettings body;
   reader.require("id");
   reader.read("id", {1.0, 4294967295.0}, body.id);
@@ -140,7 +149,7 @@ BodySettings read_body(const FieldReader& reader, const std::optional<Box>& patc
   double inset = 0.0;
   if (reader.has("sample_inset") && reader.read("sample_inset", {0.0, 1.0, "spacings"}, inset))
     body.sample_inset = inset;
-  read_place(reader, patch, body);
+  read_place(reader, patch, edges, body);
   body.orientation = read_orientation(reader);
   body.hold = read_hold(reader, body);
   read_freedom(reader, body);
@@ -150,7 +159,7 @@ BodySettings read_body(const FieldReader& reader, const std::optional<Box>& patc
 }  // namespace
 
 std::vector<BodySettings> validate_bodies(const FieldReader& scene_reader, const std::optional<Box>& patch,
-                                          const SceneSource& source) {
+                                          const PatchEdges& edges, const SceneSource& source) {
   const std::vector<FieldReader> entries = scene_reader.children("body");
   if (entries.size() > kMostBodies) {
     scene_reader.fault("body", "has " + std::to_string(entries.size()) + " entries; allowed: at most 64");
@@ -159,7 +168,7 @@ std::vector<BodySettings> validate_bodies(const FieldReader& scene_reader, const
   std::vector<BodySettings> bodies;
   std::map<std::uint32_t, std::size_t> first_with;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    bodies.push_back(read_body(entries[i], patch, source));
+    bodies.push_back(read_body(entries[i], patch, edges, source));
     const std::uint32_t id = bodies.back().id;
     const auto [found, fresh] = first_with.emplace(id, i);
     if (id != 0 && !fresh) {

@@ -263,7 +263,7 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
 
   read_wind_of_scene(reader, basis, scene);
   if (reader.has("current")) scene.current = read_current(reader.child("current"));
-  scene.bodies = validate_bodies(reader, patch, source);
+  scene.bodies = validate_bodies(reader, patch, scene.patch_edges, source);
   check_bodies_against_solver(reader, scene);
   const auto commands = patch ? std::optional(command_surroundings(scene)) : std::nullopt;
   scene.probes = read_probes(reader, commands);

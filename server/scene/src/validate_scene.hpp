@@ -59,7 +59,8 @@ class BlockReader {
 
 /// The `body` entries.
 [[nodiscard]] std::vector<BodySettings> validate_bodies(const FieldReader& scene_reader,
-                                                        const std::optional<Box>& patch, const SceneSource& source);
+                                                        const std::optional<Box>& patch, const PatchEdges& edges,
+                                                        const SceneSource& source);
 
 /// What a body's surface is made of: mesh_file and what goes with it, or shape. Its drive must be read already.
 void read_surface_of_body(const FieldReader& body_reader, const SceneSource& source, BodySettings& body);

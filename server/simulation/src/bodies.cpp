@@ -112,6 +112,7 @@ Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::v
   faults = body_faults(scene, support_radius, placed());
   if (!faults.empty()) return;
   for (Body& body : bodies_) open_hold(scene, body);
+  if (is_open(scene.patch_edges)) make_sea_bodies(scene.water.rest_density);
   make_contacts(scene);
   faults = contact_faults(scene);
 }
@@ -301,7 +302,7 @@ bool Bodies::accept(const BodyPose& pose, double now) {
   return false;
 }
 
-void Bodies::advance(double now, double dt, const PatchFrame& frame, FluidState& fluid) {
+void Bodies::advance(double now, double dt, const PatchFrame& frame, const CarryingSea* around, FluidState& fluid) {
   const FreeBody::Order order =
       fluid.parameters.scheme == Scheme::kCorrected ? FreeBody::Order::kDriftFirst : FreeBody::Order::kGravityFirst;
   for (Body& body : bodies_) {
@@ -310,13 +311,14 @@ void Bodies::advance(double now, double dt, const PatchFrame& frame, FluidState&
     if (body.driven) body.state = body.driven->advance(dt, now);
     body.held = body.free && now < body.settings.free_from;
     if (body.gives_way()) {
-      if (body.driven && !is_over(fluid.parameters.patch, frame.to_local(body.state.position)))
+      if (around == nullptr && body.driven && !is_over(fluid.parameters.patch, frame.to_local(body.state.position)))
         body.free->rest();
       else
         body.free->predict(dt, fluid.parameters.gravity, order);
       if (body.driven) body.free->lead(body.state);
       body.free->write_to(body.state);
     }
+    if (around != nullptr) feel_sea(dt, frame, fluid.coupling.fade, *around, body);
     if (body.driven && body.driven->jumps() != jumps) relocate_water(body, before, frame, fluid);
   }
   place(frame, fluid);
@@ -328,7 +330,8 @@ void Bodies::receive(double dt, const FluidState& fluid) {
     if (!body.moves()) continue;
     const CoupledBody& push = fluid.coupling.bodies[coupled++];
     const Eigen::Vector3d drift(dt * body.drift_force.x(), dt * body.drift_force.y(), 0.0);
-    body.meter.add(body.state, push.impulse + drift, push.angular_impulse, dt);
+    body.meter.add(body.state, push.impulse + drift + body.sea_impulse.head<3>(),
+                   push.angular_impulse + body.sea_impulse.tail<3>(), dt);
     if (body.gives_way())
       body.free->take(push.displacement, push.turn, push.velocity + body.free->inverse_mass().cwiseProduct(drift),
                       push.angular_velocity);
@@ -376,7 +379,7 @@ void Bodies::touch(double dt) {
 }
 
 std::vector<BodyLoad> Bodies::take_loads(const PatchFrame& frame, const FluidState& fluid, WaterSurface& surface,
-                                         double still_level) {
+                                         const CarryingSea* around, double still_level) {
   std::vector<BodyLoad> loads;
   measure_holds(frame, fluid);
   if (std::none_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.moves(); })) return loads;
@@ -385,6 +388,9 @@ std::vector<BodyLoad> Bodies::take_loads(const PatchFrame& frame, const FluidSta
     if (body.moves())
       for (const SurfacePlace& place : ring_around(body.shape, body.state, frame)) places.push_back(place);
   const std::vector<SurfaceReading> readings = surface.read_particles(fluid, places);
+  std::vector<SurfaceReading> at_sea;
+  if (around != nullptr && !boxes_at_edges(frame, fluid.coupling.fade).empty())
+    at_sea = surface.read(fluid, *around->waves, around->time, places);
   const std::size_t ring = places.size() / fluid.coupling.bodies.size();
   std::size_t first = 0;
   for (Body& body : bodies_) {
@@ -393,8 +399,10 @@ std::vector<BodyLoad> Bodies::take_loads(const PatchFrame& frame, const FluidSta
     load.body = body.settings.id;
     if (body.free) load.point = body.free->mass().centre;
     body.meter.take(load);
-    const WaterPlane water = water_around(std::span(places).subspan(first, ring),
-                                          std::span(readings).subspan(first, ring), body.state, frame, still_level);
+    const bool inside = at_sea.empty() || is_inside(body, frame, fluid.coupling.fade);
+    const WaterPlane water =
+        water_around(std::span(places).subspan(first, ring), std::span(inside ? readings : at_sea).subspan(first, ring),
+                     body.state, frame, still_level);
     first += ring;
     const double weight_density = fluid.parameters.rest_density * fluid.parameters.gravity;
     measure_buoyancy(body.shape, water, weight_density, load);

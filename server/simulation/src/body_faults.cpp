@@ -22,11 +22,22 @@ std::string describe(const Eigen::Vector3d& v) {
   return "(" + digits(v.x()) + ", " + digits(v.y()) + ", " + digits(v.z()) + ")";
 }
 
+/// The patch and, beyond open edges, the sea around it.
+Box sea_of(const Scene& scene) {
+  constexpr double kFar = 1e9;
+  Box sea = scene.patch;
+  for (int axis = 0; axis < 2; ++axis)
+    if (scene.patch_edges[static_cast<std::size_t>(axis)] == PatchEdge::kOpen)
+      sea.min[axis] = -kFar, sea.max[axis] = kFar;
+  return sea;
+}
+
 void check_in_patch(const Scene& scene, double support_radius, const PlacedShape& body,
                     std::vector<std::string>& faults) {
   const auto& samples = body.shape->samples;
+  const Box water = body.settings->drive == BodyDrive::kStatic ? scene.patch : sea_of(scene);
   const bool reached = std::any_of(samples.begin(), samples.end(), [&](const Eigen::Vector3f& sample) {
-    return is_within_reach(scene.patch, body.to_world(sample.cast<double>()), support_radius);
+    return is_within_reach(water, body.to_world(sample.cast<double>()), support_radius);
   });
   if (reached) return;
   const Eigen::AlignedBox3d place = body.place();

@@ -13,8 +13,9 @@ namespace pelagos {
 [[nodiscard]] bool is_within_reach(const Box& patch, const Eigen::Vector3d& world, double support_radius);
 
 /// What is wrong with the bodies of a scene, one line each, which begins with the body: faults of the mesh; a body
-/// outside the patch, nearer than a support radius to a periodic face, or inside another one; an open mesh whose rim
-/// stands in water. STATIC bodies may stand in one another (a tower on a rock), but none altogether.
+/// outside the patch (one that moves: and not beyond an open edge), nearer than a support radius to a periodic face, or
+/// inside another one; an open mesh whose rim stands in water. STATIC bodies may stand in one another (a tower on a
+/// rock), but none altogether.
 [[nodiscard]] std::vector<std::string> body_faults(const Scene& scene, double support_radius,
                                                    std::span<const PlacedShape> bodies);
 

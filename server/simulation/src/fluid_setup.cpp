@@ -71,10 +71,6 @@ PhaseParameters phase_parameters(const OilProperties& oil, double water_viscosit
   return {oil.density, std::max(oil.viscosity, oil.density * water_viscosity)};
 }
 
-bool is_in_hull(const Bodies& bodies, const Eigen::Vector3d& x, double spacing) {
-  return !bodies.empty() && (bodies.covers(x, kHullClearance * spacing) || bodies.keeps_dry(x));
-}
-
 /// Adds the local positions of a block's particles, those inside hulls left out.
 void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, const PatchFrame& frame,
                 std::vector<Float4>& positions) {
@@ -95,6 +91,10 @@ void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, cons
 }
 
 }  // namespace
+
+bool is_in_hull(const Bodies& bodies, const Eigen::Vector3d& x, double spacing) {
+  return !bodies.empty() && (bodies.covers(x, kHullClearance * spacing) || bodies.keeps_dry(x));
+}
 
 FluidParameters fluid_parameters(const Scene& scene, const PatchFrame& frame) {
   const Box box = frame.local_box();
@@ -147,7 +147,7 @@ StartingParticles place_open_sea(const OpenSeaWater& water, double spacing, cons
     const Float4& local = water.position[i];
     const Eigen::Vector3d x =
         frame.to_world(Eigen::Vector3d(Eigen::Vector3f(local.x, local.y, local.z).cast<double>()));
-    if (is_in_hull(bodies, x, spacing)) continue;
+    if (water.label[i].w != kHeld && is_in_hull(bodies, x, spacing)) continue;
     start.position.push_back(local);
     start.velocity.push_back(water.velocity[i]);
     start.label.push_back(water.label[i]);

@@ -345,6 +345,15 @@ Renewal OpenSea::shift(TaskPool& pool, const WaveField& sea, const Eigen::Vector
   return done;
 }
 
+CouplingFade OpenSea::coupling_fade() const {
+  CouplingFade fade;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (shape_.open[axis]) fade.low[axis] = shape_.patch.min[axis], fade.high[axis] = shape_.patch.max[axis];
+  fade.start = static_cast<float>(rim());
+  fade.width = static_cast<float>(kFadeWidth * shape_.spacing);
+  return fade;
+}
+
 WaveMoment OpenSea::moment(const WaveField& sea, const Eigen::Vector2d& anchor, double time) const {
   WaveMoment moment = sea.at(time, anchor);
   const auto most = static_cast<float>(2.0 * std::numbers::pi / (kShortestWave * shape_.spacing));

@@ -118,6 +118,8 @@ World::World(const Scene& scene, const WorldOptions& options)
     add_static_walls(*pool_, fluid_, bodies_.static_samples(frame_));
     bodies_.place(frame_, fluid_);
   }
+  if (open_sea_) fluid_.coupling.fade = open_sea_->coupling_fade();
+  keep_rim_clear(max_step_);
   for (const ProbeSettings& probe : scene_.probes)
     if (const auto outcome = apply(SetProbe{probe}); outcome.refusal)
       throw std::invalid_argument("probe " + std::to_string(probe.id) + ": " + to_string(*outcome.refusal));
@@ -130,6 +132,11 @@ World::World(const Scene& scene, const WorldOptions& options)
   for (std::size_t i = 0; i < fluid_.particles.count; ++i)
     fluid_.particles.acceleration[i] = {0.0F, 0.0F, static_cast<float>(-scene_.gravity), 0.0F};
   if (scene_.current) start_current();
+  if (std::optional<CarryingSea> around = carrying_sea(0.0)) {
+    around->current = nullptr;  // start_current has given it
+    bodies_.start_at_sea(frame_, fluid_.coupling.fade, *around);
+    bodies_.place(frame_, fluid_);
+  }
   keep_recovery_point();
 }
 
@@ -181,6 +188,7 @@ WorldStep World::advance(const StepInputs& inputs) {
   renew_edges();
   const double dt = choose_step();
   follow(dt);
+  keep_rim_clear(dt);
   step.report = step_water(*pool_, fluid_, dt, options_.clock, step_parts(clock_.time(), dt));
   ++step_;
   if (step.report.not_finite > 0 || !bodies_.finite()) {
@@ -202,7 +210,8 @@ WaterStepParts World::step_parts(double now, double dt) {
     give_edges(now, dt, report);
     if (bodies_.empty()) return;
     const StageScope scope(report.times, options_.clock, Stage::kBodies);
-    bodies_.advance(now, dt, frame_, fluid_);
+    const std::optional<CarryingSea> around = carrying_sea(now + dt);
+    bodies_.advance(now, dt, frame_, around ? &*around : nullptr, fluid_);
   };
   parts.receive_bodies = [this, now, dt](StepReport& report) {
     water_surface_.forget();
@@ -264,7 +273,28 @@ void World::follow(double dt) {
     move_patch(frame_.moved(way * d * Eigen::Vector3d::Unit(axis)));
     edge_watch_.count(open_sea_->shift(*pool_, sea_, frame_.origin.head<2>(), clock_.time(), dt,
                                        static_cast<std::size_t>(axis), way, fluid_));
+    rim_gaps_.shift(*open_sea_, static_cast<std::size_t>(axis), way);
   }
+}
+
+/// Hulls in the rim put its water out; it comes back behind them.
+void World::keep_rim_clear(double dt) {
+  if (!open_sea_ || bodies_.empty()) return;
+  const std::vector<Eigen::AlignedBox3d> boxes = bodies_.boxes_at_edges(frame_, fluid_.coupling.fade);
+  if (boxes.empty() && rim_gaps_.empty()) return;
+  const HullsAtRim hulls{boxes, [this](const Eigen::Vector3f& local) {
+                           const Eigen::Vector3d x = frame_.to_world(Eigen::Vector3d(local.cast<double>()));
+                           return is_in_hull(bodies_, x, scene_.particle_spacing);
+                         }};
+  const RimMotion motion{open_sea_->moment(sea_, frame_.origin.head<2>(), clock_.time()),
+                         open_sea_->moment(sea_, frame_.origin.head<2>(), clock_.time() + 0.5 * dt)};
+  if (rim_gaps_.renew(*pool_, *open_sea_, frame_, hulls, motion, fluid_)) water_surface_.forget();
+}
+
+std::optional<CarryingSea> World::carrying_sea(double time) const {
+  if (!open_sea_) return std::nullopt;
+  return CarryingSea{&sea_, current_.running ? &*current_.running : nullptr, time, scene_.water.rest_density,
+                     scene_.gravity};
 }
 
 Eigen::Vector2d World::followed_place() const {
@@ -289,6 +319,7 @@ void World::refill_patch() {
   (void)remove_particles(*pool_, fluid_, [](std::size_t) { return true; });
   add_particles(fluid_, start.position, start.velocity, kWaterPhase, start.label);
   find_held(fluid_);
+  rim_gaps_ = {};
 }
 
 void World::blow(double time, StepReport& report) {
@@ -314,7 +345,9 @@ double World::choose_step() const {
 void World::take_frame(Snapshot& snapshot, StepReport& report) {
   const StageScope scope(report.times, options_.clock, Stage::kSurface);
   fill(snapshot);
-  snapshot.loads = bodies_.take_loads(frame_, fluid_, water_surface_, frame_.local_height(water_level_));
+  const std::optional<CarryingSea> around = carrying_sea(clock_.time());
+  snapshot.loads = bodies_.take_loads(frame_, fluid_, water_surface_, around ? &*around : nullptr,
+                                      frame_.local_height(water_level_));
   const SurfaceInput input = surface_input(fluid_, clock_.time());
   surface_.detect(input, *pool_);
   surface_.shape(input, *pool_, snapshot.particles);
@@ -378,6 +411,7 @@ WorldState World::state() const {
   state.clock = clock_;
   state.patch = frame_;
   state.water = fluid_;
+  state.rim_gaps = rim_gaps_;
   state.foam = surface_.foam();
   state.faults = faults_;
   state.largest_speed = largest_speed_;
@@ -396,6 +430,7 @@ void World::restore(const WorldState& state) {
   frame_ = state.patch;
   water_surface_.follow(frame_);
   restore_water(fluid_, state.water);
+  rim_gaps_ = state.rim_gaps;
   bodies_.restore(state.bodies, frame_, fluid_);
   if (spill_) spill_->restore(*state.oil);
   wind_.reset();

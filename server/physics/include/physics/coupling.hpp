@@ -1,8 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -58,11 +61,29 @@ struct BodySample {
   Float4 sign{1, 1, 1, 1};   ///< of the image
 };
 
+/// Where water ends at open edges, bodies and particles cease to meet: what they give each other counts with a share
+/// that falls from 1 to 0 towards the edge. Both ways alike, so that the third law and the solve's symmetry stand.
+struct CouplingFade {
+  static constexpr float kFar = std::numeric_limits<float>::max();
+  std::array<float, 2> low{-kFar, -kFar}, high{kFar, kFar};  ///< m, local: the edges across x, y, where they are open
+  float start = 0.0F;                                        ///< m inside the nearest edge: up to here the share is 0
+  float width = 0.0F;                                        ///< m: over which it comes to 1; 0: it is 1 everywhere
+
+  [[nodiscard]] bool acts() const { return width > 0.0F; }
+  [[nodiscard]] float share(float x, float y) const {
+    if (!acts()) return 1.0F;
+    const float inside = std::min({x - low[0], high[0] - x, y - low[1], high[1] - y});
+    const float t = std::clamp((inside - start) / width, 0.0F, 1.0F);
+    return t * t * (3.0F - 2.0F * t);
+  }
+};
+
 /// All bodies of the water and their contacts at the present lists.
 struct BodyCoupling {
   std::vector<CoupledBody> bodies;    ///< set before each step by whoever moves them
   std::vector<BodyContact> contacts;  ///< by particle
   std::vector<BodySample> samples;    ///< every moving sample and image, in the walls' order
+  CouplingFade fade;
 
   [[nodiscard]] bool empty() const { return bodies.empty(); }
 };

@@ -15,6 +15,7 @@
 #include "simulation/hold.hpp"
 #include "simulation/load_meter.hpp"
 #include "simulation/placed_shape.hpp"
+#include "simulation/sea_push.hpp"
 #include "simulation/water_surface.hpp"
 #include "values/body.hpp"
 #include "values/current.hpp"
@@ -138,7 +139,13 @@ class Bodies {
   /// Moves all bodies from `now` to `now + dt`, free ones as they would go without the water's push, and places their
   /// samples. Water that a jumping body lands on is carried to where that body was: nothing is lost, nothing is
   /// trapped.
-  void advance(double now, double dt, const PatchFrame& frame, FluidState& fluid);
+  /// @param around  the sea beyond open edges at the end of the step, which carries what is out of the particles'
+  /// reach (sea_push.hpp); null: all edges are closed
+  void advance(double now, double dt, const PatchFrame& frame, const CarryingSea* around, FluidState& fluid);
+
+  /// m, world: the boxes around the bodies that are not wholly where particles alone carry them.
+  [[nodiscard]] std::vector<Eigen::AlignedBox3d> boxes_at_edges(const PatchFrame& frame,
+                                                                const CouplingFade& fade) const;
 
   /// After the water's step of dt: free bodies take its push and keep out of each other, of scenery and of walls; loads
   /// are metered.
@@ -152,10 +159,14 @@ class Bodies {
   /// At a scene's start, where the sea has its current at once: what floats has it too, beside its own velocity.
   void start_drift(const Current& current, double time, double water_level, double rest_density);
 
+  /// At a scene's start: what floats on the sea beyond open edges has the motion of its waves, beside its own velocity.
+  void start_at_sea(const PatchFrame& frame, const CouplingFade& fade, const CarryingSea& around);
+
   /// What the water did to each body that moves or may move, averaged since the last call.
-  /// The surface that tells what still water would do is the particles' alone, for they make the loads.
+  /// The surface that tells what still water would do is the particles' alone, for they make the loads; around bodies
+  /// that the sea beyond open edges carries, in part or as a whole, it is the sea's and the particles'.
   [[nodiscard]] std::vector<BodyLoad> take_loads(const PatchFrame& frame, const FluidState& fluid,
-                                                 WaterSurface& surface, double still_level);
+                                                 WaterSurface& surface, const CarryingSea* around, double still_level);
 
   /// Whether all places and velocities are numbers.
   [[nodiscard]] bool finite() const;
@@ -184,7 +195,9 @@ class Bodies {
     std::vector<std::shared_ptr<const SolidField>> fields;  ///< of its surface; empty: the water meets its samples
     std::size_t hull = 0;                                   ///< in `contacts_`, where there are any
     Hold hold;
-    PartVolume hold_water;  ///< when loads were last taken
+    PartVolume hold_water;                    ///< when loads were last taken
+    std::optional<SeaBody> sea_body;          ///< of what moves in a patch with open edges
+    Vector6d sea_impulse = Vector6d::Zero();  ///< N s, N m s, of the sea around in this step
 
     [[nodiscard]] bool moves() const { return driven || free; }
     [[nodiscard]] bool gives_way() const { return free && !held; }
@@ -204,6 +217,12 @@ class Bodies {
   static void place_fields(const Body& body, const PatchFrame& frame, FluidState& fluid);
   void open_hold(const Scene& scene, Body& body) const;
   void touch(double dt);
+  void make_sea_bodies(double density);
+  [[nodiscard]] SeaLoad sea_load(const Body& body, const PatchFrame& frame, const CouplingFade& fade,
+                                 const CarryingSea& around);
+  /// Whether particles alone carry it.
+  [[nodiscard]] static bool is_inside(const Body& body, const PatchFrame& frame, const CouplingFade& fade);
+  void feel_sea(double dt, const PatchFrame& frame, const CouplingFade& fade, const CarryingSea& around, Body& body);
   [[nodiscard]] DriftSea sea_of(const Body& body, double time, const Current& current, double water_level) const;
   void place_contacts();
   void add_surface(TaskPool& pool, const Scene& scene, double support_radius, Body& body);
@@ -216,6 +235,7 @@ class Bodies {
   std::vector<StaticSample> static_;
   std::optional<BodyContacts> contacts_;  ///< only where a body is free
   SurfaceDrift surface_drift_;
+  SeaLoader sea_loader_;
 };
 
 }  // namespace pelagos

@@ -94,6 +94,7 @@ class OpenSea {
   [[nodiscard]] const OpenSeaShape& shape() const { return shape_; }
   /// Columns of the rim.
   static constexpr int kRimColumns = 3;
+  [[nodiscard]] double rim() const { return kRimColumns * shape_.spacing; }  ///< m
   /// Waves shorter than this many spacings stay outside the patch.
   static constexpr double kShortestWave = 8.0;
   /// m, from the nearest open edge inwards; negative beyond it. Large without open edges.
@@ -103,12 +104,15 @@ class OpenSea {
   /// How strongly water at a place is drawn, 0..1.
   [[nodiscard]] double draw_share(double x, double y) const;
 
+  /// Bodies do not meet the rim, and the water inside it more and more over this many spacings; what lacks, the wave
+  /// field gives them.
+  static constexpr double kFadeWidth = 4.0;
+  [[nodiscard]] CouplingFade coupling_fade() const;
+
   /// The waves that the patch takes part in.
   [[nodiscard]] WaveMoment moment(const WaveField& sea, const Eigen::Vector2d& anchor, double time) const;
 
  private:
-  [[nodiscard]] double rim() const { return kRimColumns * shape_.spacing; }
-
   OpenSeaShape shape_;
 };
 

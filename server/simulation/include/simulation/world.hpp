@@ -16,6 +16,7 @@
 #include "simulation/oil_spill.hpp"
 #include "simulation/open_sea.hpp"
 #include "simulation/probes.hpp"
+#include "simulation/rim_gaps.hpp"
 #include "simulation/surface_query.hpp"
 #include "simulation/water_surface.hpp"
 #include "simulation/world_state.hpp"
@@ -172,6 +173,8 @@ class World {
   void draw_edges(double now, double dt, StepReport& report);
   void renew_edges();
   void follow(double dt);
+  void keep_rim_clear(double dt);
+  [[nodiscard]] std::optional<CarryingSea> carrying_sea(double time) const;
   void move_patch(const PatchFrame& frame);
   void refill_patch();
   [[nodiscard]] Eigen::Vector2d followed_place() const;
@@ -195,6 +198,7 @@ class World {
   Probes probes_;
   std::optional<OpenSea> open_sea_;  ///< where edges are open
   EdgeWatch edge_watch_;
+  RimGaps rim_gaps_;
   FluidState fluid_;
   std::size_t free_particles_ = 0;  ///< at the start: not held
   double water_level_ = 0.0;

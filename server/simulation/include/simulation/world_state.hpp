@@ -9,6 +9,7 @@
 #include "simulation/bodies.hpp"
 #include "simulation/frame_clock.hpp"
 #include "simulation/oil_spill.hpp"
+#include "simulation/rim_gaps.hpp"
 #include "surface/surface_extractor.hpp"
 #include "values/current.hpp"
 #include "values/effort.hpp"
@@ -56,6 +57,7 @@ struct WorldState {
   FrameClock clock;
   PatchFrame patch;
   WaterState water;
+  RimGaps rim_gaps;  ///< of an open sea
   BodiesState bodies;
   std::optional<OilSpillState> oil;
   std::optional<Air> wind;  ///< its ramp included
@@ -74,6 +76,7 @@ struct WorldState {
     visit("clock", self.clock);
     visit("patch", self.patch);
     visit("water", self.water);
+    visit("rim_gaps", self.rim_gaps);
     visit("bodies", self.bodies);
     visit("oil", self.oil);
     visit("wind", self.wind);
