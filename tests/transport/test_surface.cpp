@@ -101,7 +101,12 @@ class SurfaceLoopback : public testing::Test {
       const auto sent = client_.ask(some_query());
       return client_.wait_for(sent.number, std::chrono::milliseconds(100)).has_value();
     }));
+    const std::scoped_lock lock(mutex_);
     asked_.clear();
+  }
+  [[nodiscard]] std::vector<std::string> asked() {
+    const std::scoped_lock lock(mutex_);
+    return asked_;
   }
   std::optional<Refusal> answer(const SurfaceQuery& query, const std::string& client, const TakeSurface& take) {
     if (auto fault = find_fault(query)) return fault;
@@ -138,7 +143,7 @@ TEST_F(SurfaceLoopback, AThousandPlacesThereAndBack) {
   EXPECT_EQ(reply->news.answer.simulation_time, 2.5);
   ASSERT_EQ(reply->news.answer.places.size(), 1000U);
   EXPECT_EQ(reply->news.answer.places[999].height, -3.5 * 999.0);
-  EXPECT_THAT(asked_, testing::ElementsAre("bridge 3"));
+  EXPECT_THAT(asked(), testing::ElementsAre("bridge 3"));
 }
 
 TEST_F(SurfaceLoopback, AnswersGoToWhoAsked) {
