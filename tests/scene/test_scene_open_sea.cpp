@@ -64,6 +64,25 @@ TEST(SceneOpenSea, MovesAcrossOpenEdgesOnly) {
               HasSubstr("open_sea.follow: moves the patch along y; allowed: where patch_edges are OPEN"));
 }
 
+TEST(SceneOpenSea, TakesBodiesThatMoveBeyondItsEdges) {
+  const auto body = [](const char* rest) {
+    return std::string("body { id: 1 shape { sphere { radius: 1 } } ") + rest + " }";
+  };
+  for (const char* rest :
+       {"drive: FREE mass { kg: 900 } position { x: 90 y: -400 z: 1 }", "drive: POSE position { x: 90 y: 0 z: 1 }",
+        "drive: POSE_HORIZONTAL mass { kg: 900 } position { x: 90 y: 0 z: 1 }"}) {
+    const SceneResult result = read_open(body(rest));
+    EXPECT_TRUE(result) << result.report();
+  }
+  const char* allowed = "allowed: within its sides, or beyond OPEN ones with drive FREE, POSE or POSE_HORIZONTAL";
+  EXPECT_THAT(read_open(body("drive: STATIC position { x: 90 y: 0 z: 1 }")).report(),
+              testing::AllOf(HasSubstr("body[0].position: (90, 0, 1) is outside the patch"), HasSubstr(allowed)));
+  EXPECT_THAT(read_open(body("drive: POSE position { x: 90 y: 0 z: 30 }")).report(), HasSubstr(allowed));
+  EXPECT_THAT(read_open(body("drive: POSE position { x: 90 y: 0 z: 1 }"), "y: OPEN", "y: MIRROR").report(), "");
+  EXPECT_THAT(read_open(body("drive: POSE position { x: 0 y: 90 z: 1 }"), "y: OPEN", "y: MIRROR").report(),
+              HasSubstr("(0, 90, 1) is outside the patch"));
+}
+
 struct Fault {
   const char* name;
   const char* more;
