@@ -1,20 +1,13 @@
 // How the sea beyond open edges carries bodies.
 
 #include "simulation/bodies.hpp"
+#include "simulation/wetted_body.hpp"
 
 namespace pelagos {
 
 namespace {
 
 constexpr double kIntoHold = 0.25;  ///< panel edges off a panel, where its hold would be
-
-Eigen::AlignedBox3d box_of(const BodyShape& shape, const BodyState& state) {
-  Eigen::AlignedBox3d box;
-  for (int corner = 0; corner < 8; ++corner)
-    box.extend(state.orientation * shape.bounding_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) +
-               state.position);
-  return box;
-}
 
 /// The sea around does not run into a hold: its panels are dry.
 void leave_hold_out(const Hold& hold, SeaPanels& panels) {
@@ -39,7 +32,7 @@ void Bodies::make_sea_bodies(double density) {
 }
 
 bool Bodies::is_inside(const Body& body, const PatchFrame& frame, const CouplingFade& fade) {
-  const Eigen::AlignedBox3d box = box_of(body.shape, body.state);
+  const Eigen::AlignedBox3d box = box_around(body.shape, body.state.position, body.state.orientation);
   for (int corner = 0; corner < 4; ++corner) {
     const Eigen::Vector3f x =
         frame.to_local(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))).cast<float>();
@@ -52,7 +45,8 @@ std::vector<Eigen::AlignedBox3d> Bodies::boxes_at_edges(const PatchFrame& frame,
   std::vector<Eigen::AlignedBox3d> boxes;
   if (!fade.acts()) return boxes;
   for (const Body& body : bodies_)
-    if (!is_inside(body, frame, fade)) boxes.push_back(box_of(body.shape, body.state));
+    if (!is_inside(body, frame, fade))
+      boxes.push_back(box_around(body.shape, body.state.position, body.state.orientation));
   return boxes;
 }
 

@@ -70,49 +70,52 @@ void SeaLoader::find_water(const SeaPanels& panels, const BodyState& state, cons
   }
 }
 
-void SeaLoader::add_panel(const std::array<std::uint32_t, 3>& triangle, const BodyState& state,
-                          const Eigen::Vector3d& about, const CarryingSea& sea, SeaLoad& load) {
-  std::array<Corner, 4> wet;
-  std::size_t corners = 0;
+SeaLoader::WetPanel SeaLoader::wet_part(const std::array<std::uint32_t, 3>& triangle,
+                                        const Eigen::Vector3d& about) const {
+  WetPanel wet;
   for (std::size_t c = 0; c < 3; ++c) {
     const std::uint32_t i = triangle[c], j = triangle[(c + 1) % 3];
     const Eigen::Vector3d from = place_[i] - about;
-    if (head_[i] > 0.0) wet[corners++] = {from, head_[i], share_[i]};
+    wet.velocity += velocity_[i] / 3.0;
+    wet.acceleration += acceleration_[i] / 3.0;
+    if (head_[i] > 0.0) wet.corner[wet.count++] = {from, head_[i], share_[i]};
     if ((head_[i] > 0.0) == (head_[j] > 0.0)) continue;
     const double t = head_[i] / (head_[i] - head_[j]);
-    wet[corners++] = {from + t * (place_[j] - place_[i]), 0.0, share_[i] + t * (share_[j] - share_[i])};
+    wet.corner[wet.count++] = {from + t * (place_[j] - place_[i]), 0.0, share_[i] + t * (share_[j] - share_[i])};
   }
-  const Eigen::Vector3d velocity = (velocity_[triangle[0]] + velocity_[triangle[1]] + velocity_[triangle[2]]) / 3.0;
-  const Eigen::Vector3d acceleration =
-      (acceleration_[triangle[0]] + acceleration_[triangle[1]] + acceleration_[triangle[2]]) / 3.0;
-  const Eigen::Matrix3d turn = state.orientation.toRotationMatrix();
-  const double weight = sea.density * sea.gravity;
-  for (std::size_t k = 2; k < corners; ++k) {
-    const Corner &a = wet[0], &b = wet[k - 1], &c = wet[k];
+  return wet;
+}
+
+void SeaLoader::add_panel(const WetPanel& panel, const HullMotion& hull, const CarryingSea& sea, SeaLoad& load) {
+  for (std::size_t k = 2; k < panel.count; ++k) {
+    const Corner &a = panel.corner[0], &b = panel.corner[k - 1], &c = panel.corner[k];
     const double share = (a.share + b.share + c.share) / 3.0;
-    if (!(share > 0.0)) continue;
     const Eigen::Vector3d area = 0.5 * (b.arm - a.arm).cross(c.arm - a.arm), sum = a.arm + b.arm + c.arm;
+    const double size = area.norm();
+    if (!(share > 0.0 && size > 0.0)) continue;
     const double qa = a.head * a.share, qb = b.head * b.share, qc = c.head * c.share, q = qa + qb + qc;
     const Eigen::Vector3d moment = (q * sum + qa * a.arm + qb * b.arm + qc * c.arm) / 12.0;
-    load.force -= weight * joined(q / 3.0 * area, moment.cross(area));
-    const double size = area.norm(), lid = -share * area.z();
+    load.force -= sea.density * sea.gravity * joined(q / 3.0 * area, moment.cross(area));
+    const double lid = -share * area.z();
     load.waterplane += lid;
     for (int axis = 0; axis < 2; ++axis) {  // about x counts the way along y
-      const Eigen::Vector3d way = turn.col(1 - axis);
-      const double s = way.dot(sum),
-                   squares = std::pow(way.dot(a.arm), 2) + std::pow(way.dot(b.arm), 2) + std::pow(way.dot(c.arm), 2);
-      load.waterplane_moments[static_cast<std::size_t>(axis)] += lid / 12.0 * (s * s + squares);
+      const Eigen::Vector3d way = hull.turn.col(1 - axis);
+      const Eigen::Vector3d at(way.dot(a.arm), way.dot(b.arm), way.dot(c.arm));
+      load.waterplane_moments[static_cast<std::size_t>(axis)] += lid / 12.0 * (at.sum() * at.sum() + at.squaredNorm());
     }
-    if (!(size > 0.0)) continue;
-    const Eigen::Vector3d arm = sum / 3.0, normal = area / size;
     load.wetted += share * size;
-    wet_.push_back({share * size, arm, velocity, acceleration});
-    const Eigen::Vector3d own = state.velocity + state.angular_velocity.cross(arm + about - state.position);
-    const double speed = normal.dot(velocity - own), drag = 0.5 * sea.density * kDragOfSide * share * size;
-    const Vector6d way = joined(normal, arm.cross(normal));
-    load.drag += drag * std::abs(speed) * speed * way;
-    load.drag_rate += drag * std::abs(speed) * way * way.transpose();
+    wet_.push_back({share * size, sum / 3.0, panel.velocity, panel.acceleration});
+    add_drag(wet_.back(), area / size, hull, sea.density, load);
   }
+}
+
+void SeaLoader::add_drag(const WetPart& part, const Eigen::Vector3d& normal, const HullMotion& hull, double density,
+                         SeaLoad& load) {
+  const double speed = normal.dot(part.velocity - hull.velocity - hull.angular_velocity.cross(part.arm));
+  const double drag = 0.5 * density * kDragOfSide * part.area * std::abs(speed);
+  const Vector6d way = joined(normal, part.arm.cross(normal));
+  load.drag += drag * speed * way;
+  load.drag_rate += drag * way * way.transpose();
 }
 
 void SeaLoader::fit_water(SeaLoad& load) const {
@@ -142,10 +145,9 @@ SeaLoad SeaLoader::load(const SeaPanels& panels, const BodyState& state, const E
   find_water(panels, state, sea);
   share_.resize(place_.size());
   for (std::size_t i = 0; i < place_.size(); ++i) share_[i] = share(place_[i].head<2>());
-  for (const auto& triangle : panels.mesh.triangles) {
-    if (head_[triangle[0]] > 0.0 || head_[triangle[1]] > 0.0 || head_[triangle[2]] > 0.0)
-      add_panel(triangle, state, about, sea, load);
-  }
+  const HullMotion hull{state.orientation.toRotationMatrix(),
+                        state.velocity + state.angular_velocity.cross(about - state.position), state.angular_velocity};
+  for (const auto& triangle : panels.mesh.triangles) add_panel(wet_part(triangle, about), hull, sea, load);
   fit_water(load);
   return load;
 }

@@ -11,15 +11,6 @@ namespace {
 constexpr int kRingPlaces = 32;
 constexpr double kRingWidth = 1.1;  ///< of the body's own half width: the ring runs just outside
 
-/// The box around a body, local.
-Eigen::AlignedBox3d box_of(const BodyShape& shape, const BodyState& state, const PatchFrame& frame) {
-  Eigen::AlignedBox3d box;
-  for (int corner = 0; corner < 8; ++corner)
-    box.extend(state.orientation * shape.bounding_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) +
-               frame.to_local(state.position));
-  return box;
-}
-
 /// z = c0 + c1 (x - mx) + c2 (y - my) by least squares; level where the points are too few to say more.
 struct FittedPlane {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -41,8 +32,17 @@ FittedPlane fit_plane(const std::vector<Eigen::Vector3d>& points) {
 
 }  // namespace
 
+Eigen::AlignedBox3d box_around(const BodyShape& shape, const Eigen::Vector3d& position,
+                               const Eigen::Quaterniond& orientation) {
+  Eigen::AlignedBox3d box;
+  for (int corner = 0; corner < 8; ++corner)
+    box.extend(orientation * shape.bounding_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) +
+               position);
+  return box;
+}
+
 std::vector<SurfacePlace> ring_around(const BodyShape& shape, const BodyState& state, const PatchFrame& frame) {
-  const Eigen::AlignedBox3d box = box_of(shape, state, frame);
+  const Eigen::AlignedBox3d box = box_around(shape, frame.to_local(state.position), state.orientation);
   const Eigen::Vector2d middle = box.center().head<2>();
   const Eigen::Vector2d half = kRingWidth * std::numbers::sqrt2 * 0.5 * box.sizes().head<2>();
   std::vector<SurfacePlace> places;

@@ -65,22 +65,35 @@ class SeaLoader {
 
  private:
   struct Corner {
-    Eigen::Vector3d arm;  ///< m, from the reference point
-    double head, share;   ///< m, 0..1
+    Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< m, from the reference point
+    double head = 0.0, share = 0.0;                 ///< m, 0..1
+  };
+  /// What of a panel is under water: nothing, a triangle or a quadrangle; the water's motion at the panel.
+  struct WetPanel {
+    std::array<Corner, 4> corner;
+    std::size_t count = 0;
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero(), acceleration = Eigen::Vector3d::Zero();
+  };
+  struct WetPart {
+    double area;  ///< m^2, by its share
+    Eigen::Vector3d arm, velocity, acceleration;
+  };
+  /// Of the reference point.
+  struct HullMotion {
+    Eigen::Matrix3d turn;  ///< body to world
+    Eigen::Vector3d velocity, angular_velocity;
   };
   void find_water(const SeaPanels& panels, const BodyState& state, const CarryingSea& sea);
-  void add_panel(const std::array<std::uint32_t, 3>& triangle, const BodyState& state, const Eigen::Vector3d& about,
-                 const CarryingSea& sea, SeaLoad& load);
+  [[nodiscard]] WetPanel wet_part(const std::array<std::uint32_t, 3>& triangle, const Eigen::Vector3d& about) const;
+  void add_panel(const WetPanel& panel, const HullMotion& hull, const CarryingSea& sea, SeaLoad& load);
+  static void add_drag(const WetPart& part, const Eigen::Vector3d& normal, const HullMotion& hull, double density,
+                       SeaLoad& load);
   void fit_water(SeaLoad& load) const;
 
   std::vector<Eigen::Vector3d> place_;  ///< m, world
   std::vector<float> x_, y_, z_, a_, b_, c_, px_, py_, pz_, ax_, ay_, az_, pressure_;
   std::vector<double> head_, share_;
   std::vector<Eigen::Vector3d> velocity_, acceleration_;
-  struct WetPart {
-    double area;
-    Eigen::Vector3d arm, velocity, acceleration;
-  };
   std::vector<WetPart> wet_;
 };
 

@@ -13,6 +13,10 @@
 
 namespace pelagos {
 
+/// The box around a body that stands at a position, in the axes and from the origin of that position.
+[[nodiscard]] Eigen::AlignedBox3d box_around(const BodyShape& shape, const Eigen::Vector3d& position,
+                                             const Eigen::Quaterniond& orientation);
+
 /// Places in a ring just outside a body, where the surface tells how the water stands around it; m, local.
 /// @param frame  of the patch
 [[nodiscard]] std::vector<SurfacePlace> ring_around(const BodyShape& shape, const BodyState& state,
