@@ -252,6 +252,7 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
   double frame_rate = 30.0;
   reader.read("frame_rate", {1.0, 240.0, "frames per second"}, frame_rate);
   scene.frame_interval = 1.0 / frame_rate;
+  if (reader.read_enum("frame_times") == proto::v1::Scene::AT_STEPS) scene.frame_times = FrameTimes::kAtSteps;
   scene.time_step = validate_time_step(reader, basis);
   scene.solver = validate_solver(reader);
   if (patch && basis.spacing) refuse_many_wall_particles(reader, *patch, *basis.spacing, water_edges(scene));

@@ -196,7 +196,7 @@ WorldStep World::advance(const StepInputs& inputs) {
     if (step.fault == StepFault::kRestored) return step;
   }
   largest_speed_ = step.report.largest_speed;
-  step.frame_reached = clock_.advance(dt);
+  step.frame_reached = clock_.advance(dt, scene_.frame_times);
   if (step.fault == StepFault::kFatal) return step;
   if (clock_.time() >= faults_.careful_until) faults_.in_row = 0;
   keep_recovery_point();
@@ -339,7 +339,7 @@ double World::choose_step() const {
   const double speed = std::max(largest_speed_, bodies_.largest_speed());
   const double longest = std::ldexp(max_step_, -faults_.in_row);  // half for each fault in a row
   const double cfl = std::ldexp(scene_.time_step.cfl, -faults_.in_row);
-  return clock_.choose_step(choose_time_step(fluid_.parameters, cfl, longest, speed));
+  return clock_.choose_step(choose_time_step(fluid_.parameters, cfl, longest, speed), scene_.frame_times);
 }
 
 void World::take_frame(Snapshot& snapshot, StepReport& report) {
@@ -456,6 +456,7 @@ std::uint64_t World::scene_hash() const {
   add(std::array{scene_.frame_interval, scene_.gravity, scene_.particle_spacing, fluid_.parameters.support_radius,
                  fluid_.parameters.viscosity, fluid_.parameters.filter, fluid_.parameters.rest_density});
   add(fluid_.parameters.scheme);
+  add(scene_.frame_times);
   add(scene_.patch_edges);
   add(std::array{scene_.open_sea.zone_width, scene_.open_sea.depth});
   add(scene_.patch.min);

@@ -13,6 +13,7 @@
 #include "shapes/mesh_name.hpp"
 #include "values/command.hpp"
 #include "values/current.hpp"
+#include "values/frame_times.hpp"
 #include "values/oil.hpp"
 #include "values/probe.hpp"
 #include "values/wave_settings.hpp"
@@ -246,6 +247,7 @@ struct Scene {
   GeodeticOrigin origin;
   SurfaceSettings surface;
   double frame_interval = 1.0 / 30.0;  ///< s
+  FrameTimes frame_times = FrameTimes::kEven;
 };
 
 /// Whether the patch is a part of an open sea.
