@@ -40,6 +40,9 @@ void describe_options(CLI::App& app, Options& o) {
   app.add_option("--radius-north", o.radius_north, "built-in oval: half its length, m (default: a circle)")
       ->check(radius);
   app.add_option("--speed", o.oval.speed, "built-in oval: m/s")->check(NumberFrom(0.0, 50.0))->capture_default_str();
+  app.add_option("--speed-up", o.oval.speed_up, "built-in oval: s from rest to full speed")
+      ->check(NumberFrom(0.0, 3600.0))
+      ->capture_default_str();
   app.add_option("--water-level", o.oval.up, "built-in oval: m")->check(place)->capture_default_str();
   app.add_option("--draft", o.draft, "built-in oval: the ship's origin is that far below the water level, m")
       ->check(place);

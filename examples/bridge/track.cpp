@@ -145,12 +145,18 @@ std::string read_point(std::vector<std::string> fields, const std::vector<const 
   return "";
 }
 
+/// s at full speed that lead as far as `time` does with the way that the ship has lost at the start.
+double time_at_full_speed(double speed_up, double time) {
+  if (time >= speed_up) return time - 0.5 * speed_up;
+  return time > 0.0 ? 0.5 * time * time / speed_up : time;
+}
+
 ShipState oval_state(const OvalTrack& oval, double time) {
   // Ramanujan's approximation of an ellipse's circumference gives the mean speed asked for.
   const double a = oval.radius_east;
   const double b = oval.radius_north;
   const double circumference = pi * (3.0 * (a + b) - std::sqrt((3.0 * a + b) * (a + 3.0 * b)));
-  const double angle = 2.0 * pi * oval.speed / circumference * time;
+  const double angle = 2.0 * pi * oval.speed / circumference * time_at_full_speed(oval.speed_up, time);
   ShipState state;
   state.time = time;
   state.east = oval.east + a * std::sin(angle);

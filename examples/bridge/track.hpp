@@ -29,6 +29,7 @@ struct OvalTrack {
   double radius_north = 5.0;  ///< m, > 0
   double speed = 1.0;         ///< m/s, mean over a lap; 0 stays in place
   double up = 0.0;            ///< m
+  double speed_up = 0.0;      ///< s, >= 0: from rest to `speed` with an even acceleration
 };
 
 /// Waypoints with increasing times, the first at 0; straight lines and even turns in between.

@@ -89,7 +89,7 @@ void check_viewers(const json& summary) {
   ASSERT_EQ(summary.at("viewers").size(), 4U);  // the three channels and the camera at the quarter
   for (const json& viewer : summary.at("viewers")) {
     SCOPED_TRACE(viewer.at("channel").get<std::string>());
-    EXPECT_EQ(viewer.at("scene"), "bridge");
+    EXPECT_EQ(viewer.at("scene"), "open_sea");
     for (const char* place : {"/frames_drawn", "/frame_ms_mean", "/pictures_written"}) expect_positive(viewer, place);
     // Without a number where every frame took longer than 2 s, as on a machine that gives an idle channel no time.
     ASSERT_TRUE(viewer.contains("latency_ms"));
@@ -113,7 +113,7 @@ TEST_F(Demo, LeavesPicturesOfAllChannelsAndASummary) {
   ASSERT_EQ(demo.wait(kPatience), 0) << demo.output() << demo.errors();
 
   const json summary = json::parse(read_text(folder.path() / "summary.json"));
-  EXPECT_EQ(summary.at("scene"), "bridge");
+  EXPECT_EQ(summary.at("scene"), "open_sea");
   // A machine with other work may be too slow for the sea or lose frames: nothing else may be wrong.
   for (const std::string fault : summary.at("faults"))
     EXPECT_THAT(fault, AnyOf(HasSubstr("of real time"), HasSubstr("frames")));

@@ -118,6 +118,18 @@ TEST(OvalTrackTest, LapTakesCircumferenceOverSpeed) {
   EXPECT_NEAR(motion_at(track, 1.0).angular_rate_body.z(), 0.4, 1e-5);
 }
 
+TEST(OvalTrackTest, SpeedsUpFromRestEvenly) {
+  OvalTrack oval{0.0, -300.0, 300.0, 300.0, 6.0, 0.0};
+  oval.speed_up = 20.0;
+  const Track track{oval, {}};
+  const auto speed = [&](double time) { return motion_at(track, time).velocity.norm(); };
+  EXPECT_NEAR(speed(0.01), 0.003, 1e-3);
+  EXPECT_NEAR(speed(10.0), 3.0, 1e-3);
+  EXPECT_NEAR(speed(20.5), 6.0, 1e-3);
+  EXPECT_NEAR(speed(200.0), 6.0, 1e-3);
+  EXPECT_NEAR(state_at(track, 20.0).east, 300.0 * std::sin(60.0 / 300.0), 1e-6);  // half of 6 m/s for 20 s
+}
+
 TEST(OvalTrackTest, SeaMotionHasItsAmplitudes) {
   const Track track{OvalTrack{}, {0.1, 1.5, 3.0}};
   double up = 0.0;
