@@ -96,7 +96,7 @@ TEST_F(CtlSea, IsToldByTheStatus) {
   status_.sea = sea_status(sea, 3.0, SeaRequest{{{system}, 100, 4, 0.0}, 0.25});
   EXPECT_THAT(
       ask({"status"}).out,
-      HasSubstr("to 090; asked for: wind sea JONSWAP, Hs 2 m, Tp 7 s, to 250 deg, gamma 3.3, spreading 10 at the "
+      HasSubstr("(62.83 m); asked for: wind sea JONSWAP, Hs 2 m, Tp 7 s, to 250 deg, gamma 3.3, spreading 10 at the "
                 "peak, which leaves out 0.25 m\n"));
   const std::string json = ask({"status", "--json"}).out;
   EXPECT_THAT(json, HasSubstr("\"system\":[{\"spectrum\":\"JONSWAP\",\"height\":2.0,\"peak_period\":7.0"));

@@ -99,8 +99,9 @@ TEST_F(CtlWaves, StatusTellsTheSeaAndItsBlend) {
   EXPECT_THAT(ask({"status"}).out, HasSubstr("waves      flat\n"));
   WaveField sea({{1.0F, 0.1F, 0.99F, 0.0F, 0.0F}}, 0.0);
   status_.sea = sea_status(sea, 3.0);
-  EXPECT_THAT(ask({"status"}).out,
-              HasSubstr("waves      1, significant height 2.83 m, the highest of 6.3 s (62.83 m) to 090\n"));
+  EXPECT_THAT(
+      ask({"status"}).out,
+      HasSubstr("waves      1, significant height 2.83 m, to 090 on average, the highest of 6.3 s (62.83 m)\n"));
   ASSERT_TRUE(sea.exchange({}, 10.0, 20.0));
   status_.sea = sea_status(sea, 20.0);
   EXPECT_THAT(ask({"status"}).out,

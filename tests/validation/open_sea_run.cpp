@@ -100,6 +100,17 @@ void SurfaceGauges::read(World& world) {
                           static_cast<double>(height[k])});
 }
 
+void record(Session& session, const Subject& subject, WorldRun& run, SurfaceGauges& gauges, double from, double every,
+            double end) {
+  double next = from;
+  run.advance_to(end, [&](const StepReport&) {
+    session.progress(subject, run.world().time() / end);
+    if (run.world().time() < next) return;
+    gauges.read(run.world());
+    next += every;
+  });
+}
+
 SeaAgreement agreement(const std::vector<SurfaceSample>& samples) {
   const auto count = static_cast<double>(samples.size());
   double measured = 0.0, theory = 0.0;

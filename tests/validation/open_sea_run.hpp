@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "harness.hpp"
 #include "world_run.hpp"
 
 namespace pelagos::validation {
@@ -45,6 +46,10 @@ class SurfaceGauges {
 
 /// `columns` x `rows` places evenly over +- the half lengths.
 [[nodiscard]] std::vector<Eigen::Vector2d> gauge_grid(double half_x, int columns, double half_y, int rows);
+
+/// Reads gauges at equal times from `from` on, until `end`; s.
+void record(Session& session, const Subject& subject, WorldRun& run, SurfaceGauges& gauges, double from, double every,
+            double end);
 
 /// How the samples follow the theory.
 struct SeaAgreement {

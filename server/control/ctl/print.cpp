@@ -153,8 +153,8 @@ std::string describe_edges(const proto::v1::EdgeStatus& edges) {
 std::string describe_sea(const proto::v1::SeaStatus& sea) {
   std::string text = "flat";
   if (sea.waves() > 0)
-    text = format("%u, significant height %.2f m, the highest of %.1f s (%.4g m) to %03.0f", sea.waves(),
-                  sea.significant_height(), sea.highest_period(), sea.highest_length(), sea.highest_to_deg());
+    text = format("%u, significant height %.2f m, to %03.0f on average, the highest of %.1f s (%.4g m)", sea.waves(),
+                  sea.significant_height(), sea.mean_to_deg(), sea.highest_period(), sea.highest_length());
   if (sea.has_words()) text += "; asked for: " + sea.words();
   if (sea.has_left_out_height()) text += format(", which leaves out %.2f m", sea.left_out_height());
   if (!sea.has_share()) return text;

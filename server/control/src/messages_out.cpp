@@ -108,6 +108,7 @@ void fill(const SeaStatus& from, proto::v1::SeaStatus& to) {
     to.set_highest_period(kTurn / static_cast<double>(from.highest->omega));
     to.set_highest_length(kTurn / static_cast<double>(from.highest->wavenumber));
     const double direction = from.highest->direction;
+    to.set_mean_to_deg(current_to_deg({std::cos(from.mean_direction), std::sin(from.mean_direction), 0.0}));
     to.set_highest_to_deg(current_to_deg({std::cos(direction), std::sin(direction), 0.0}));
   }
   if (from.request) fill(*from.request, to);

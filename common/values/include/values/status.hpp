@@ -45,6 +45,7 @@ struct SeaStatus {
   double significant_height = 0.0;  ///< m: of the sea that there is, or that it blends into
   std::uint32_t waves = 0;          ///< components of that sea; 0: flat
   std::optional<WaveComponent> highest;
+  double mean_direction = 0.0;        ///< rad, counter-clockwise from x: of the energy, as `WaveComponent::direction`
   double share = 1.0;                 ///< 0..1, that it has by now
   double blend_left = 0.0;            ///< s of simulated time, until it is there in full
   std::uint32_t earlier = 0;          ///< seas before it that still have a share
