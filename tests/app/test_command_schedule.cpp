@@ -158,10 +158,10 @@ TEST(Replay, HoldsStatesAgainstTheLog) {
   EXPECT_FALSE(replay.check_due(9));
   EXPECT_EQ(replay.check(9, 1), "") << "the log says nothing of that step";
   EXPECT_EQ(replay.check(10, 6), "");
-  EXPECT_EQ(replay.checks_text(), "2 whole states compared, the same bits");
-  EXPECT_THAT(replay.check(20, 99), HasSubstr("after 20 steps, at 2.000 s, is 0000000000000063"));
+  EXPECT_EQ(replay.checks_text(), "whole states compared: 2, the same bits");
+  EXPECT_THAT(replay.check(20, 99), HasSubstr("after step 20, at 2.000 s, is 0000000000000063"));
   EXPECT_EQ(replay.check(30, 98), "") << "told once";
-  EXPECT_EQ(replay.checks_text(), "of 4 whole states compared, the first that differs is that after 20 steps");
+  EXPECT_EQ(replay.checks_text(), "whole states compared: 4; the first that differs is that after step 20");
 }
 
 TEST(Replay, IsOfItsOwnSceneOnly) {

@@ -63,8 +63,8 @@ void Recorder::end(const World& world) {
   log_->write(CommandLogEnd{world.step(), state_hash(world.fluid().particles)});
   const CommandLogState log = log_->state();
   if (!log.fault.empty())
-    log_error(fmt::format("the command log {} could not be written to its end: {}; {} lines are missing", log.file,
-                          log.fault, log.waiting + log.lost));
+    log_error(fmt::format("the command log {} could not be written to its end: {}; lines that are missing: {}",
+                          log.file, log.fault, log.waiting + log.lost));
 }
 
 void Recorder::flush(Announcer& announcer) {

@@ -53,16 +53,16 @@ std::string Replay::check(std::uint64_t step, std::uint64_t world_hash) {
   ++checks_made_;
   if (logged.world_hash == world_hash || first_difference_) return "";
   first_difference_ = step;
-  return fmt::format("the state after {} steps, at {:.3f} s, is {:016x}, that of the logged run {:016x}", step,
+  return fmt::format("the state after step {}, at {:.3f} s, is {:016x}, that of the logged run {:016x}", step,
                      logged.time, world_hash, logged.world_hash);
 }
 
 std::string Replay::checks_text() const {
   if (checks_made_ == 0) return "no state of the logged run was there to compare with";
   if (first_difference_)
-    return fmt::format("of {} whole states compared, the first that differs is that after {} steps", checks_made_,
+    return fmt::format("whole states compared: {}; the first that differs is that after step {}", checks_made_,
                        *first_difference_);
-  return fmt::format("{} whole states compared, the same bits", checks_made_);
+  return fmt::format("whole states compared: {}, the same bits", checks_made_);
 }
 
 }  // namespace pelagos

@@ -142,7 +142,7 @@ void Server::open_records() {
     if (const std::string doubt = replay->doubt(header); !doubt.empty()) log_warning(doubt);
     const CommandLog& log = replay->log();
     log_info(
-        fmt::format("replay: {} commands, {} poses; the scene's events, its governor, stations' commands and "
+        fmt::format("replay: commands: {}, poses: {}; the scene's events, its governor, stations' commands and "
                     "bridges' poses do not act",
                     log.commands.size(), log.poses.size()));
     if (!log.cut_off.empty()) log_warning("replay: " + log.cut_off);
@@ -161,7 +161,7 @@ ServerSummary Server::run() {
   desk_.close();
   if (summary.end == ServerEnd::kReplayEnded) summary.replay_differs = !tell_replay_end();
   if (const std::size_t waiting = gate_.scheduled_count(); waiting > 0)
-    log_info(fmt::format("{} commands were not due before the end", waiting));
+    log_info(fmt::format("commands that were not due before the end: {}", waiting));
   recorder_->end(*world_);
   summary.status = *board_.status();
   summary.run = loop.whole_run();
@@ -182,7 +182,7 @@ ServerSummary Server::run() {
 
 bool Server::tell_replay_end() const {
   const Replay& replay = *gate_.replay();
-  std::string what = fmt::format("replay: the log ends here, after {} steps; {}", world_->step(), replay.checks_text());
+  std::string what = fmt::format("replay: the log ends here, after step {}; {}", world_->step(), replay.checks_text());
   bool same = !replay.differs();
   if (const auto& end = replay.log().end) {
     const std::uint64_t now = state_hash(world_->fluid().particles);

@@ -176,7 +176,7 @@ void SimulationLoop::report_fault(const WorldStep& step) {
   const World& world = parts_.world;
   const bool fatal = step.fault == StepFault::kFatal;
   const std::string what = step.report.not_finite > 0
-                               ? fmt::format("{} particles have values that are not finite", step.report.not_finite)
+                               ? fmt::format("particles with values that are not finite: {}", step.report.not_finite)
                                : "a free body has values that are not finite";
   if (fatal) {
     broken_ = true;
@@ -285,8 +285,8 @@ void SimulationLoop::fill_pose_counts() {
 void SimulationLoop::log_status() {
   const ServerStatus& status = status_;
   std::string line = fmt::format(
-      "t {:.1f} s: real-time factor {:.2f} (could reach {:.1f}), step {:.1f} ms, density error {:.3f} %, {} steps not "
-      "converged, {} of {} particles sent, {} frames, {} dropped, {} readers{}",
+      "t {:.1f} s: real-time factor {:.2f} (could reach {:.1f}), step {:.1f} ms, density error {:.3f} %, steps "
+      "not converged: {}, particles sent: {} of {}, frames: {}, dropped: {}, readers: {}{}",
       status.simulation_time, status.real_time_factor, status.achievable_real_time_factor, status.step_ms,
       status.density_error * 100.0, status.unconverged_steps, status.published_particles, status.particles,
       status.frames_published, status.frames_dropped, parts_.publisher.viewers(), status.paused ? ", paused" : "");

@@ -133,6 +133,51 @@ void run_submerged(Session& session, const Subject& subject, const Primitive& sh
   session.add_cost(subject, run.cost());
 }
 
+/// Water 6 m deep at rest between mirrors; a smooth mound, a part of a sphere of 20 m, rises 2 m from the floor.
+Scene mound_scene(const Subject& subject) {
+  constexpr double kRadius = 20.0, kHeight = 2.0, kDepth = 6.0;  // m
+  Scene scene;
+  scene.name = subject.setup;
+  scene.particle_spacing = subject.spacing;
+  scene.patch = {{-20.0, -20.0, 0.0}, {20.0, 20.0, 2.0 * kDepth}};
+  scene.patch_edges = {PatchEdge::kMirror, PatchEdge::kMirror, PatchEdge::kMirror};
+  scene.water.blocks = {{scene.patch.min, {20.0, 20.0, kDepth}}};
+  scene.water.settle_steps = kBedSettling;
+  if (!choose_solver(subject.solver, scene.solver)) throw std::invalid_argument("no solver " + subject.solver);
+  BodySettings mound;
+  mound.id = 1;
+  mound.name = "mound";
+  mound.primitive = SphereShape{kRadius};
+  mound.position = {0.0, 0.0, kHeight - kRadius};
+  mound.drive = BodyDrive::kStatic;
+  scene.bodies = {mound};
+  return scene;
+}
+
+double rms_speed(const FluidParticles& p) {
+  double squares = 0.0;
+  for (std::size_t i = 0; i < p.count; ++i) {
+    const Float4& v = p.velocity[i];
+    squares += static_cast<double>(v.x * v.x + v.y * v.y + v.z * v.z);
+  }
+  return std::sqrt(squares / static_cast<double>(p.count));
+}
+
+/// How fast water at rest becomes over a mound: mean from 8 to 10 s.
+void run_mound(Session& session, const Subject& subject) {
+  WorldRun run(session.options().threads, mound_scene(subject));
+  double sum = 0.0, time = 0.0;
+  run.advance_to(10.0, [&](const StepReport& step) {
+    session.progress(subject, run.world().time() / 10.0);
+    if (run.world().time() < 8.0) return;
+    sum += step.dt * rms_speed(run.world().fluid().particles);
+    time += step.dt;
+  });
+  const double least = std::sqrt(kGravity * subject.spacing);
+  session.add(subject, {"rms speed after 10 s over sqrt(g d)", sum / time / least, "", "0", at_most(0.03, 0.12)});
+  session.add_cost(subject, run.cost());
+}
+
 }  // namespace
 
 void run_solid_surfaces(Session& session) {
@@ -151,6 +196,7 @@ void run_solid_surfaces(Session& session) {
       run_wave(session, subject, {0.7, 20.0}, 1.0);
     });
   }
+  attempt("calm water over a mound", 1.0, [&](const Subject& subject) { run_mound(session, subject); });
   const std::pair<int, double> spheres[] = {{3, 2.0}, {5, 1.0}, {8, 1.0}};
   for (const auto& [radius, aim] : spheres) {
     if (session.quick() && radius > 3) continue;
