@@ -8,6 +8,7 @@ namespace pelagos {
 namespace {
 
 constexpr double kZoneMemory = 5.0, kHeightMemory = 60.0;  ///< s
+constexpr double kLeastSeconds = 5.0;                      ///< of heights, for a ratio
 constexpr int kPlaces = 8;                                 ///< along each side, of heights
 /// Waves lower than this, in spacings and by their rms at the places, give no ratio.
 constexpr double kFlat = 0.05;
@@ -34,7 +35,7 @@ void EdgeWatch::add_zones(const ZoneMismatch& mismatch, double dt) {
 }
 
 void EdgeWatch::add_heights(const OpenSeaShape& shape, const SurfaceGrid& surface, const WaveMoment& moment,
-                            double seconds) {
+                            double seconds, const std::function<bool(const Eigen::Vector3d&)>& hidden) {
   std::vector<float> x, y;
   for (int i = 0; i < kPlaces; ++i)
     for (int j = 0; j < kPlaces; ++j) {
@@ -46,10 +47,12 @@ void EdgeWatch::add_heights(const OpenSeaShape& shape, const SurfaceGrid& surfac
   const double keep = std::exp(-seconds / kHeightMemory);
   product_ *= keep;
   square_ *= keep;
+  seconds_ += seconds;
   for (std::size_t k = 0; k < x.size(); ++k) {
-    const auto water = sample_at(surface, {static_cast<double>(x[k]), static_cast<double>(y[k])});
-    if (!water) continue;
+    const Eigen::Vector2d place(static_cast<double>(x[k]), static_cast<double>(y[k]));
     const auto waves = static_cast<double>(height[k]);
+    const auto water = sample_at(surface, place);
+    if (!water || hidden({place.x(), place.y(), shape.level + waves})) continue;
     product_ += (water->height - shape.level) * waves;
     square_ += waves * waves;
   }
@@ -65,7 +68,8 @@ EdgeQuality EdgeWatch::quality(const OpenSeaShape& shape, std::size_t free, std:
   quality.level = (static_cast<double>(free) - static_cast<double>(wanted)) * std::pow(shape.spacing, 3) / area;
   for (const MomentWave& wave : moment.waves) variance += 0.5 * std::pow(static_cast<double>(wave.amplitude), 2);
   quality.significant_height = 4.0 * std::sqrt(variance);
-  if (square_ > std::pow(kFlat * shape.spacing * kPlaces, 2)) quality.height_ratio = product_ / square_;
+  if (seconds_ >= kLeastSeconds && square_ > std::pow(kFlat * shape.spacing * kPlaces, 2))
+    quality.height_ratio = product_ / square_;
   if (mismatch_weight_ > 0.0) quality.mismatch = std::sqrt(mismatch_ / mismatch_weight_);
   quality.created = created_;
   quality.deleted = deleted_;

@@ -240,8 +240,11 @@ void World::draw_edges(double now, double dt, StepReport& report) {
   const StageScope scope(report.times, options_.clock, Stage::kEdges);
   edge_watch_.add_zones(open_sea_->draw(*pool_, sea_, frame_.origin.head<2>(), now + dt, dt, fluid_), dt);
   if (step_ % kRenewalSteps == 0)
-    edge_watch_.add_heights(open_sea_->shape(), water_surface_.grid(fluid_),
-                            open_sea_->moment(sea_, frame_.origin.head<2>(), now + dt), kRenewalSteps * dt);
+    edge_watch_.add_heights(
+        open_sea_->shape(), water_surface_.grid(fluid_), open_sea_->moment(sea_, frame_.origin.head<2>(), now + dt),
+        kRenewalSteps * dt, [this](const Eigen::Vector3d& place) {
+          return !bodies_.empty() && bodies_.covers(frame_.to_world(place), scene_.particle_spacing);
+        });
 }
 
 void World::renew_edges() {
