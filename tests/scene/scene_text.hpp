@@ -54,4 +54,14 @@ inline void expect_only_fault(const FaultCase& fault) {
                                                 testing::HasSubstr(fault.says))));
 }
 
+/// The same text inside others, as an entry of the scene or a command: told with the path that leads there.
+inline void expect_only_fault_in(const std::string& before, const FaultCase& fault, const std::string& after,
+                                 const std::string& path) {
+  const SceneResult result = read_with(before + fault.text + after);
+  EXPECT_FALSE(result);
+  EXPECT_THAT(result.faults,
+              testing::ElementsAre(testing::AllOf(testing::StartsWith("test.scene:7: " + path + fault.field),
+                                                  testing::HasSubstr(fault.says))));
+}
+
 }  // namespace pelagos::test

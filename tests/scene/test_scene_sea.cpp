@@ -11,12 +11,11 @@
 namespace pelagos {
 namespace {
 
+using test::expect_only_fault_in;
 using test::FaultCase;
 using test::read_with;
 using testing::AllOf;
-using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::StartsWith;
 
 TEST(SceneSea, IsReadBySystems) {
   const SceneResult result = read_with(
@@ -78,19 +77,12 @@ TEST(SceneSea, IsToldInWords) {
 }
 
 /// A scene's own sea and that of a command: the same faults, told with the path of each.
-class SeaFault : public testing::TestWithParam<FaultCase> {
- protected:
-  static void expect_fault(const std::string& before, const std::string& after, const std::string& path) {
-    const FaultCase& fault = GetParam();
-    const SceneResult result = read_with(before + fault.text + after);
-    EXPECT_FALSE(result);
-    EXPECT_THAT(result.faults,
-                ElementsAre(AllOf(StartsWith("test.scene:7: " + path + fault.field), HasSubstr(fault.says))));
-  }
-};
+class SeaFault : public testing::TestWithParam<FaultCase> {};
 
-TEST_P(SeaFault, OfAScene) { expect_fault("far_sea { ", " }", "far_sea."); }
-TEST_P(SeaFault, OfACommand) { expect_fault("event { at: 1 set_sea { ", " } }", "event[0].set_sea."); }
+TEST_P(SeaFault, OfAScene) { expect_only_fault_in("far_sea { ", GetParam(), " }", "far_sea."); }
+TEST_P(SeaFault, OfACommand) {
+  expect_only_fault_in("event { at: 1 set_sea { ", GetParam(), " } }", "event[0].set_sea.");
+}
 
 INSTANTIATE_TEST_SUITE_P(
     Fields, SeaFault,

@@ -11,9 +11,9 @@
 namespace pelagos {
 namespace {
 
+using test::expect_only_fault_in;
 using test::FaultCase;
 using test::read_with;
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 std::string repeat(const std::string& text, int times) {
@@ -62,19 +62,12 @@ TEST(SceneWaves, BecomeComponentsOfDeepWater) {
 }
 
 /// A scene's own waves and those of a command: the same faults, told with the path of each.
-class WaveFault : public testing::TestWithParam<FaultCase> {
- protected:
-  static void expect_fault(const std::string& before, const std::string& after, const std::string& path) {
-    const FaultCase& fault = GetParam();
-    const SceneResult result = read_with(before + fault.text + after);
-    EXPECT_FALSE(result);
-    EXPECT_THAT(result.faults, ElementsAre(testing::AllOf(testing::StartsWith("test.scene:7: " + path + fault.field),
-                                                          HasSubstr(fault.says))));
-  }
-};
+class WaveFault : public testing::TestWithParam<FaultCase> {};
 
-TEST_P(WaveFault, OfAScene) { expect_fault("far_sea { ", " }", "far_sea."); }
-TEST_P(WaveFault, OfACommand) { expect_fault("event { at: 1 set_waves { ", " } }", "event[0].set_waves."); }
+TEST_P(WaveFault, OfAScene) { expect_only_fault_in("far_sea { ", GetParam(), " }", "far_sea."); }
+TEST_P(WaveFault, OfACommand) {
+  expect_only_fault_in("event { at: 1 set_waves { ", GetParam(), " } }", "event[0].set_waves.");
+}
 
 INSTANTIATE_TEST_SUITE_P(
     Fields, WaveFault,

@@ -21,6 +21,12 @@ void leave_hold_out(const Hold& hold, SeaPanels& panels) {
   mesh.triangles = kept;
 }
 
+/// @param change  of the velocity, along and about
+void add_motion(const Vector6d& change, FreeBody& body) {
+  body.take(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), body.velocity() + change.head<3>(),
+            body.angular_velocity() + change.tail<3>());
+}
+
 }  // namespace
 
 void Bodies::make_sea_bodies(double density) {
@@ -68,8 +74,7 @@ void Bodies::feel_sea(double dt, const PatchFrame& frame, const CouplingFade& fa
   if (!body.gives_way()) return;
   const Vector6d push = sea_push(*body.sea_body, *body.free, load, around, dt);
   body.sea_impulse = impulse_of(*body.free, push, body.sea_impulse);
-  body.free->take(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), body.free->velocity() + push.head<3>(),
-                  body.free->angular_velocity() + push.tail<3>());
+  add_motion(push, *body.free);
   body.free->write_to(body.state);
 }
 
@@ -77,9 +82,7 @@ void Bodies::start_at_sea(const PatchFrame& frame, const CouplingFade& fade, con
   for (Body& body : bodies_) {
     if (!body.sea_body || !body.drifts() || is_inside(body, frame, fade)) continue;
     const SeaLoad load = sea_load(body, frame, fade, around);
-    const Vector6d motion = carried_share(*body.sea_body, load, around) * load.water;
-    body.free->take(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), body.free->velocity() + motion.head<3>(),
-                    body.free->angular_velocity() + motion.tail<3>());
+    add_motion(carried_share(*body.sea_body, load, around) * load.water, *body.free);
     body.free->write_to(body.state);
   }
 }
