@@ -137,13 +137,13 @@ TEST(ShippedScenes, TankerIsThePapersInMetresOfTwentyALength) {
 
 TEST(ShippedScenes, EverySceneLoads) {
   int scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(test::source_path("scenes"))) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(test::source_path("scenes"))) {
     if (entry.path().extension() != ".scene") continue;
     ++scenes;
     const SceneResult result = read_scene_file(entry.path());
     EXPECT_TRUE(result) << result.report();
   }
-  EXPECT_GE(scenes, 9);
+  EXPECT_GE(scenes, 23);
 }
 
 }  // namespace

@@ -34,6 +34,14 @@ TEST(Rig, ShippedRigHasTheBridgeChannels) {
   EXPECT_EQ(rig.find("aft"), nullptr);
 }
 
+TEST(Rig, ShippedRigHasTheViewsOfTheSheet) {
+  const Rig rig = load_rig(test::source_path("assets/rigs/views.json"));
+  for (const char* name :
+       {"bridge", "low", "bird", "quarter", "bow", "astern", "towards_sun", "rim", "lighthouse", "harbour"})
+    EXPECT_NE(rig.find(name), nullptr) << name;
+  EXPECT_EQ(rig.find("harbour")->mount.body, 0U) << "a camera on shore";
+}
+
 TEST(Rig, ReadsAllFieldsAndComments) {
   const Rig rig = parse_rig(R"({
     // a lighthouse
