@@ -101,7 +101,7 @@ void Presentation::draw() {
   moment.bodies = bodies;
   const std::shared_ptr<const OceanSlick> slick = source_.slick();
   if (slick) moment.slick = {slick->discs, slick->origin};
-  if (const std::optional<WindSettings> wind = source_.wind()) moment.wind_speed = wind->velocity.head<2>().norm();
+  if (const std::optional<WindSettings> wind = source_.wind()) moment.wind = wind->velocity.head<2>();
   renderer_->draw(camera_or_stand_in(bodies), moment);
 }
 

@@ -16,17 +16,24 @@ CompositePass::CompositePass(int width, int height, bool smooth_edges)
       smooth_target_({&smoothed_}),
       smooth_edges_(smooth_edges) {}
 
-void CompositePass::compose(const OpaquePass& opaque, const FarSeaPass& far_sea, const FluidPass& fluid,
-                            const DetailTextures& detail, const SlickMap* slick) {
+void CompositePass::compose(const OpaquePass& opaque, const FarSeaPass& far_sea, const ShortSea& short_sea,
+                            const FluidPass& fluid, const DetailTextures& detail, const SlickMap* slick) {
   target_.bind();
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
-  const Texture* textures[] = {&opaque.colour(),   &opaque.inverse_depth(), &far_sea.surface(), &fluid.surface(),
-                               &opaque.mirrored(), &detail.sky(),           &detail.ripples(),  &detail.foam()};
+  const Texture* textures[] = {&opaque.colour(), &opaque.inverse_depth(), &far_sea.surface(),
+                               &fluid.surface(), &opaque.mirrored(),      &detail.sky()};
   GLuint unit = 0;
   for (const Texture* texture : textures) texture->bind(unit++);
-  if (slick != nullptr) slick->film().bind(unit);
-  composite_program_.use();
+  detail.foam().bind(7);
+  for (std::size_t t = 0; t < kShortWaveTiles; ++t) short_sea.tile(t).bind(static_cast<GLuint>(9 + t));
+  if (slick != nullptr) {
+    if (!oily_program_) oily_program_ = std::make_unique<Program>("screen.vert", "composite.frag", "WITH_SLICK");
+    slick->film().bind(8);
+    oily_program_->use();
+  } else {
+    composite_program_.use();
+  }
   nothing_.bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

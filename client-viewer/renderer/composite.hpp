@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
+
 #include "renderer/detail_textures.hpp"
 #include "renderer/far_sea.hpp"
 #include "renderer/fluid.hpp"
 #include "renderer/gl_objects.hpp"
 #include "renderer/opaque.hpp"
+#include "renderer/short_sea.hpp"
 #include "renderer/slick_map.hpp"
 
 namespace pelagos {
@@ -15,7 +18,7 @@ class CompositePass {
   CompositePass(int width, int height, bool smooth_edges);
 
   /// @param slick  may be null: there has been no oil yet
-  void compose(const OpaquePass& opaque, const FarSeaPass& far_sea, const FluidPass& fluid,
+  void compose(const OpaquePass& opaque, const FarSeaPass& far_sea, const ShortSea& short_sea, const FluidPass& fluid,
                const DetailTextures& detail, const SlickMap* slick);
   void draw_spray(std::span<const DrawnParticle> drops, const DetailTextures& detail);
   void finish();
@@ -26,6 +29,7 @@ class CompositePass {
   [[nodiscard]] const Texture& inverse_depth() const { return scene_inverse_; }
 
  private:
+  std::unique_ptr<Program> oily_program_;  ///< from the first slick on
   Program composite_program_, spray_program_, edge_program_;
   Texture picture_, scene_inverse_, smoothed_;
   Framebuffer target_, spray_target_, smooth_target_;

@@ -4,21 +4,22 @@
 
 namespace pelagos {
 
-/// Pictures that are made once: the sky, ripple slopes and the foam pattern. All but the sky tile seamlessly.
+/// Pictures that are made once: the sky, and the foam pattern, which tiles seamlessly.
 class DetailTextures {
  public:
   /// The view block must be bound and hold the sun.
   DetailTextures();
 
-  [[nodiscard]] const Texture& sky() const { return sky_; }          ///< azimuth x sqrt(elevation), HDR, mip chain
-  [[nodiscard]] const Texture& ripples() const { return ripples_; }  ///< slopes x, y and their squared length
-  [[nodiscard]] const Texture& foam() const { return foam_; }        ///< lacy pattern, 0..1
+  [[nodiscard]] const Texture& sky() const { return sky_; }  ///< see sky_place of common.glsl; HDR, mip chain
+  [[nodiscard]] const Texture& foam() const {
+    return foam_;
+  }  ///< strands and holes; threads along x; both spread evenly over 0..1
 
  private:
-  Texture sky_, ripples_, foam_;
+  Texture sky_, foam_;
 };
 
-/// Length in metres after which all tiles of ripples and foam repeat.
-inline constexpr double kDetailPeriod = 240.0;
+/// Length in metres after which the patterns of foam repeat, in axes along and across its streaks.
+inline constexpr double kDetailPeriod = 60.0;
 
 }  // namespace pelagos

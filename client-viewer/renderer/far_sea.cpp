@@ -12,6 +12,9 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr int kSectors = 720;
 constexpr double kHorizon = 30'000.0;  // m
 
+/// The grid depends on the power of two of the height only, so that a heaving eye does not make it swim.
+double height_step(double height) { return std::exp2(std::round(std::log2(std::clamp(height, 2.0, 512.0)))); }
+
 }  // namespace
 
 std::vector<float> ring_radii(double height, double coarseness) {
@@ -49,8 +52,7 @@ FarSeaPass::FarSeaPass(int width, int height, double coarseness)
       coarseness_(coarseness) {}
 
 void FarSeaPass::prepare_grid(double height) {
-  // The grid depends on the power of two of the height only, so that a heaving eye does not make it swim.
-  const double step = std::exp2(std::round(std::log2(std::clamp(height, 2.0, 512.0))));
+  const double step = height_step(height);
   if (step == grid_height_) return;
   grid_height_ = step;
   const std::vector<float> radii = ring_radii(step, coarseness_);
@@ -68,9 +70,16 @@ void FarSeaPass::prepare_grid(double height) {
   glVertexArrayElementBuffer(array_.id(), indices_.id());
 }
 
+Eigen::Vector3d FarSeaPass::grid_for(double height) const {
+  return {coarseness_, height_step(height), kTwoPi / kSectors};
+}
+
 void FarSeaPass::draw(const Camera& camera, double height, const WaveMoment& waves, double carried_by_patch) {
   prepare_grid(height);
-  waves_.upload(waves.waves.data(), waves.waves.size() * sizeof(MomentWave));
+  longest_first_.assign(waves.waves.begin(), waves.waves.end());
+  std::stable_sort(longest_first_.begin(), longest_first_.end(),
+                   [](const MomentWave& a, const MomentWave& b) { return a.wavenumber < b.wavenumber; });
+  waves_.upload(longest_first_.data(), longest_first_.size() * sizeof(MomentWave));
   const SectorRange sectors = visible_sectors(camera, kSectors);
   const float nothing[4] = {0, 0, 0, 0};
   const float far_away = 0.0F;

@@ -18,7 +18,7 @@ struct SectorRange {
 };
 [[nodiscard]] SectorRange visible_sectors(const Camera& camera, int around);
 
-/// Draws the open sea from all its wave components: (inverse depth, slope x, slope y, folding of the crest).
+/// Draws the open sea from all its wave components: (inverse depth, slope x, slope y, foam of crests).
 class FarSeaPass {
  public:
   /// @param coarseness  1: fine; larger: cheaper
@@ -29,6 +29,9 @@ class FarSeaPass {
   /// @param carried_by_patch  waves longer than this (m) are the simulation's own inside the patch
   void draw(const Camera& camera, double height, const WaveMoment& waves, double carried_by_patch);
 
+  /// What grid_cell() of the shaders needs for an eye at that height, m: coarseness, the height that the grid is for,
+  /// angle between two sectors (rad).
+  [[nodiscard]] Eigen::Vector3d grid_for(double height) const;
   [[nodiscard]] const Texture& surface() const { return surface_; }
 
  private:
@@ -38,6 +41,7 @@ class FarSeaPass {
   Texture surface_;
   Framebuffer target_;
   Buffer rings_, indices_, waves_;
+  std::vector<MomentWave> longest_first_;
   VertexArray array_;
   double coarseness_;
   double grid_height_ = 0.0;

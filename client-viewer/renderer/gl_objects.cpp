@@ -24,16 +24,17 @@ std::string with_includes(std::string_view text) {
 
 }  // namespace
 
-std::string shader_source(std::string_view file) {
+std::string shader_source(std::string_view file, std::string_view defined) {
   const std::string_view body = shader_text(file), common = shader_text("common.glsl");
   if (body.empty() || common.empty()) throw GraphicsError("no shader named " + std::string(file) + " in this build");
-  return "#version 450 core\n" + std::string(common) + "\n#line 1\n" + with_includes(body);
+  const std::string macro = defined.empty() ? "" : "#define " + std::string(defined) + "\n";
+  return "#version 450 core\n" + macro + std::string(common) + "\n#line 1\n" + with_includes(body);
 }
 
 namespace {
 
-GLuint compile_stage(GLenum stage, std::string_view file) {
-  const std::string source = shader_source(file);
+GLuint compile_stage(GLenum stage, std::string_view file, std::string_view defined) {
+  const std::string source = shader_source(file, defined);
   const char* text = source.c_str();
   const GLuint shader = glCreateShader(stage);
   glShaderSource(shader, 1, &text, nullptr);
@@ -51,9 +52,9 @@ GLuint compile_stage(GLenum stage, std::string_view file) {
 
 }  // namespace
 
-Program::Program(std::string_view vertex_file, std::string_view fragment_file) {
-  const GLuint vertex = compile_stage(GL_VERTEX_SHADER, vertex_file);
-  const GLuint fragment = compile_stage(GL_FRAGMENT_SHADER, fragment_file);
+Program::Program(std::string_view vertex_file, std::string_view fragment_file, std::string_view defined) {
+  const GLuint vertex = compile_stage(GL_VERTEX_SHADER, vertex_file, defined);
+  const GLuint fragment = compile_stage(GL_FRAGMENT_SHADER, fragment_file, defined);
   id_ = glCreateProgram();
   glAttachShader(id_, vertex);
   glAttachShader(id_, fragment);

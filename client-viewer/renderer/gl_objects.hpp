@@ -20,15 +20,17 @@ class GraphicsError : public std::runtime_error {
 /// Text of an embedded shader file, empty if there is none of that name.
 [[nodiscard]] std::string_view shader_text(std::string_view name);
 
-/// What is compiled for a shader file: the version line, common.glsl, and the file with those that it includes.
+/// What is compiled for a shader file: the version line, the macro that is defined, if any, common.glsl, and the file
+/// with those that it includes.
 /// @throws GraphicsError if there is no such file
-[[nodiscard]] std::string shader_source(std::string_view file);
+[[nodiscard]] std::string shader_source(std::string_view file, std::string_view defined = {});
 
 /// A linked program from files of `shaders/`; see shader_source.
 class Program {
  public:
+  /// @param defined  a macro that both stages see, for a variant of the program; empty: none
   /// @throws GraphicsError with the compiler's log
-  Program(std::string_view vertex_file, std::string_view fragment_file);
+  Program(std::string_view vertex_file, std::string_view fragment_file, std::string_view defined = {});
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;

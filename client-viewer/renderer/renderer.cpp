@@ -12,6 +12,8 @@
 #include "renderer/gl_objects.hpp"
 #include "renderer/mesh.hpp"
 #include "renderer/opaque.hpp"
+#include "renderer/short_sea.hpp"
+#include "renderer/short_waves.hpp"
 #include "renderer/view_block.hpp"
 #include "scales/scales.hpp"
 #include "waves/patch_blend.hpp"
@@ -44,23 +46,25 @@ double wind_of_sea(std::span<const MomentWave> waves) {
   return std::sqrt(4.0 * std::sqrt(variance) * kStandardGravity / 0.21);
 }
 
-/// Crests break where the waves fold the surface below `threshold` (determinant of the horizontal displacement's
-/// gradient, 1 at rest), so that whitecaps cover what the wind asks for.
-struct Breaking {
-  double threshold = -1.0;
-  double deviation = 1.0;  ///< standard deviation of the folding
-};
-Breaking breaking_of(std::span<const MomentWave> waves, double wind) {
+/// Standard deviation of how much the crests fold the surface.
+double folding_of(const WaveMoment& waves) {
   double variance = 0.0;
-  for (const MomentWave& w : waves) variance += 0.5 * std::pow(static_cast<double>(w.amplitude) * w.wavenumber, 2);
-  if (variance <= 0.0) return {};
-  // Whitecap cover by Monahan & O'Muircheartaigh (1980). Its pattern leaves most of a breaking crest dark: 14 times
-  // the area. Then the normal distribution's quantile (Abramowitz & Stegun 26.2.23).
-  const double part = std::clamp(14.0 * 3.84e-6 * std::pow(wind, 3.41), 1e-6, 0.4);
-  const double t = std::sqrt(-2.0 * std::log(part));
-  const double quantile = t - (2.30753 + 0.27061 * t) / (1.0 + 0.99229 * t + 0.04481 * t * t);
-  const double deviation = std::sqrt(variance);
-  return {1.0 - quantile * deviation, deviation};
+  for (const MomentWave& w : waves.waves)
+    variance += 0.5 * std::pow(static_cast<double>(w.amplitude) * w.wavenumber * (1.0 + w.echo) * w.bed, 2);
+  return std::sqrt(variance);
+}
+
+/// m/s, towards: the wind, where it is known; else one that would raise such waves.
+Eigen::Vector2d wind_over(const SeaMoment& moment, std::span<const MomentWave> waves) {
+  return moment.wind.value_or(Eigen::Vector2d(wind_of_sea(waves) * main_direction(waves)));
+}
+
+/// Foam streaks along the wind, in steps: the pattern would swim far from the origin if its axes turned smoothly.
+Eigen::Vector2d streak_axis(const Eigen::Vector2d& wind) {
+  if (wind.norm() < 0.5) return Eigen::Vector2d::UnitX();
+  const double step = std::numbers::pi / 16.0;
+  const double angle = step * std::round(std::atan2(wind.y(), wind.x()) / step);
+  return {std::cos(angle), std::sin(angle)};
 }
 
 /// Of a SurfaceParticle.
@@ -156,6 +160,8 @@ struct Renderer::State {
   FluidPass fluid;
   CompositePass composite;
   std::unique_ptr<DetailTextures> detail;
+  ShortWaves short_waves{0};
+  ShortSea short_sea;
   std::unique_ptr<SlickMap> slick_map;  ///< from the first slick on
   SlickPlace slick_place;               ///< of the map as drawn
   [[nodiscard]] WaveMoment waves_at(const Camera& camera, const SeaMoment& moment) const {
@@ -237,10 +243,9 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   block.fluid_size = vector4(guarded.width, guarded.height, guarded.tan_half_x, guarded.tan_half_y);
   const double spacing = scene.particle_spacing > 0.0 ? scene.particle_spacing : 1.0;
   block.fluid = vector4(guarded.focal_pixels, spacing, 0, 0);
-  const double wind = moment.wind_speed.value_or(wind_of_sea(waves.waves));
-  const Breaking breaking = breaking_of(waves.waves, wind);
-  block.level =
-      vector4(scene.water_level - camera.eye.z(), std::fmod(moment.time, 3600.0), kVisibility, breaking.threshold);
+  const Eigen::Vector2d wind = wind_over(moment, waves.waves);
+  block.level = vector4(scene.water_level - camera.eye.z(), std::fmod(moment.time, 3600.0), kVisibility,
+                        breaking_envelope(wind.norm()));
   // The origin of the particles is the middle of the patch, also where the patch follows a ship.
   const Eigen::Vector2d middle_of_patch = (moment.origin - camera.eye).head<2>();
   const Eigen::Vector2d half = 0.5 * scene.patch.size().head<2>(), low = middle_of_patch - half,
@@ -249,18 +254,22 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   const double narrow = scene.patch.size().head<2>().minCoeff();
   const bool present = !moment.particles.empty() && narrow > 0.0;
   const PatchBlend blend = rim_blend(spacing, narrow);
-  block.patch_blend = vector4(present ? 1 : 0, blend.start, blend.full, breaking.deviation);
+  block.patch_blend = vector4(present ? 1 : 0, blend.start, blend.full, std::max(folding_of(waves), 1e-6));
   block.sun = vector4(Eigen::Vector3d(-0.62, -0.48, 0.62).normalized(), 1.25);
   const Eigen::Vector2d axis = main_direction(waves.waves);
-  // mean square slope by Cox & Munk (1954); the three ripple layers carry 0.05 at scale 1
-  const double ripple = std::sqrt((0.003 + 0.00512 * std::min(wind, 25.0)) / 0.05);
-  block.wave_axis = vector4(axis.x(), axis.y(), ripple, wind);
-  const Eigen::Vector2d across(-axis.y(), axis.x()), eye = camera.eye.head<2>();
-  block.ripple_eye = vector4(std::fmod(axis.dot(eye), kDetailPeriod), std::fmod(across.dot(eye), kDetailPeriod),
-                             std::fmod(eye.x(), kDetailPeriod), std::fmod(eye.y(), kDetailPeriod));
-  block.ripple_shift =
-      vector4(std::fmod(1.3 * moment.time, kDetailPeriod), std::fmod(0.22 * moment.time, kDetailPeriod),
-              std::fmod(2.3 * moment.time, kDetailPeriod), std::fmod(-0.35 * moment.time, kDetailPeriod));
+  block.wave_axis = vector4(axis.x(), axis.y(), mean_square_slope(wind.norm()), wind.norm());
+  const Eigen::Vector2d streaks = streak_axis(wind), across(-streaks.y(), streaks.x()), eye = camera.eye.head<2>();
+  block.pattern = vector4(streaks.x(), streaks.y(), std::fmod(streaks.dot(eye), kDetailPeriod),
+                          std::fmod(across.dot(eye), kDetailPeriod));
+  const Eigen::Vector3d grid = far_sea.grid_for(camera.eye.z() - scene.water_level);
+  block.sea_grid = vector4(grid, short_waves.variance_below());
+  const double longest_own = std::min(short_waves.shortest_component(), 1e6);
+  for (std::size_t t = 0; t < kShortWaveTiles; ++t) {
+    const ShortWaveTile& tile = short_waves.tiles()[t];
+    const Eigen::Vector2d turns = eye / tile.length;
+    block.tile[t] =
+        vector4(turns.x() - std::floor(turns.x()), turns.y() - std::floor(turns.y()), 1.0 / tile.length, longest_own);
+  }
   const bool oily = slick_place.length > 0.0;
   const Eigen::Vector2d map = slick_place.corner - eye, middle = slick_place.centre - eye;
   block.slick_map = vector4(map.x(), map.y(), oily ? 1.0 / slick_place.length : 0.0, oily ? 1.0 : 0.0);
@@ -283,6 +292,7 @@ Renderer::Renderer(const RenderSettings& settings) {
 Renderer::~Renderer() = default;
 
 void Renderer::set_scene(const SceneInfo& scene) {
+  if (scene.seed != state_->scene.seed) state_->short_waves = ShortWaves(scene.seed);
   state_->scene = scene;
   state_->sea = scene.sea;
 }
@@ -315,9 +325,12 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   s.draw_slick(moment.slick);
   pass_done();
   const WaveMoment waves = s.waves_at(camera, moment);
+  s.short_waves.set_sea(waves.waves, wind_over(moment, waves.waves));
   s.upload_view(s.view_block(camera, moment, waves));
   s.opaque.draw(s.place_bodies(camera, moment));
   pass_done();
+  s.short_waves.evaluate(moment.time);
+  s.short_sea.upload(s.short_waves);
   const double height = camera.eye.z() - s.scene.water_level;
   s.far_sea.draw(camera, height, waves, 10.0 * s.scene.particle_spacing);
   pass_done();
@@ -326,7 +339,7 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   pass_done();
   s.fluid.smooth();
   pass_done();
-  s.composite.compose(s.opaque, s.far_sea, s.fluid, *s.detail, s.slick_map.get());
+  s.composite.compose(s.opaque, s.far_sea, s.short_sea, s.fluid, *s.detail, s.slick_map.get());
   pass_done();
   s.composite.draw_spray(s.drops, *s.detail);
   s.composite.finish();

@@ -35,9 +35,9 @@ struct SeaMoment {
   double ahead = 0.0;                                ///< s, from the frame to the time shown: particles go on so long
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world, of the particles
   std::span<const SurfaceParticle> particles;
-  std::span<const BodyState> bodies;  ///< at the time shown
-  Slick slick;                        ///< the film of oil, if there is one
-  std::optional<double> wind_speed;   ///< m/s; unknown: from the far sea
+  std::span<const BodyState> bodies;    ///< at the time shown
+  Slick slick;                          ///< the film of oil, if there is one
+  std::optional<Eigen::Vector2d> wind;  ///< m/s, towards; unknown: from the far sea
 };
 
 /// Names of the passes, in order, as reports use them.

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 namespace pelagos {
 
 /// The uniform block `View` of common.glsl, field by field (std140: vectors of four floats only).
 struct ViewBlock {
-  Eigen::Vector4f right, up, forward, size, fluid_size, fluid, level, patch_box, patch_blend, sun, wave_axis,
-      ripple_eye, ripple_shift, ship, ship_size, slick_map, slick_centre;
+  Eigen::Vector4f right, up, forward, size, fluid_size, fluid, level, patch_box, patch_blend, sun, wave_axis, pattern,
+      sea_grid;
+  std::array<Eigen::Vector4f, 3> tile;
+  Eigen::Vector4f ship, ship_size, slick_map, slick_centre;
 };
-static_assert(sizeof(ViewBlock) == 17 * 4 * sizeof(float));
+static_assert(sizeof(ViewBlock) == 20 * 4 * sizeof(float));
 
 }  // namespace pelagos

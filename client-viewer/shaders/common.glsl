@@ -7,15 +7,18 @@ layout(std140, binding = 0) uniform View {
   vec4 size;           // picture: width, height, 1/width, 1/height
   vec4 fluid_size;     // fluid buffers: width, height (guard band included), tangents of their half fields of view
   vec4 fluid;          // focal length of the fluid buffers in pixels, particle spacing, -, -
-  vec4 level;          // z of the mean water level relative to the eye, display time modulo an hour, visibility (m), folding
-                       // of the open sea below which crests break
+  vec4 level;          // z of the mean water level relative to the eye, display time modulo an hour, visibility (m), envelope
+                       // of the crests' folding above which they break, in standard deviations
   vec4 patch_box;      // simulated patch: min x, min y, max x, max y relative to the eye
   vec4 patch_blend;    // present (0 or 1), distance from the edge where the patch starts to show, where it is all;
                        // standard deviation of the folding
   vec4 sun;            // direction to the sun; w: strength
-  vec4 wave_axis;      // main direction of the waves x, y; ripple slope scale; wind speed (m/s)
-  vec4 ripple_eye;     // the eye modulo the detail's period: in wave axes, and in world axes (x, y)
-  vec4 ripple_shift;   // drift of the two ripple layers, wave axes, m
+  vec4 wave_axis;      // main direction of the waves x, y; slope variance of all short waves; wind speed (m/s)
+  vec4 pattern;        // axis of foam streaks x, y; the eye in axes along and across it, modulo the patterns' period
+  vec4 sea_grid;       // of the far sea: coarseness, height of the eye that it is for, 2 pi / sectors; slope variance of
+                       // waves shorter than those of the tiles
+  vec4 tile[3];        // of short waves: the eye's place x, y in parts of a side, 1 / side (1/m), length (m) above
+                       // which its waves stand in for wave components
   vec4 ship;           // own ship: x, y relative to the eye, cos and sin of its heading
   vec4 ship_size;      // half length, half beam (0: no ship), speed ahead (m/s), path curvature (1/m, positive to port)
   vec4 slick_map;      // map of the oil film: corner x, y relative to the eye, 1 / length of a side, present (0 or 1)
@@ -32,25 +35,18 @@ vec4 project(vec3 p) {  // reversed depth without a far plane, near plane at 0.2
   return vec4(dot(p, right.xyz) / right.w, dot(p, up.xyz) / up.w, 0.2, depth);
 }
 
+// Size of a cell of the far sea's grid at a distance, m.
+float grid_cell(float radius) {
+  float radial = max(0.026 * length(vec2(radius, sea_grid.y)), radius * radius / (sea_grid.y * 900.0));
+  return max(sea_grid.x * radial, radius * sea_grid.z);
+}
+
 // How much of the simulated patch shows at a place: 0 outside and at its rim, 1 inside.
 float patch_weight(vec2 p) {
   vec2 inside = min(p - patch_box.xy, patch_box.zw - p);
   return patch_blend.x * smoothstep(patch_blend.y, patch_blend.z, min(inside.x, inside.y));
 }
 
-// The sky is kept as a picture: azimuth across, square root of the elevation upwards.
-vec2 sky_place(vec3 direction) {
-  float elevation = asin(clamp(direction.z, 0.0, 1.0));
-  return vec2(atan(direction.y, direction.x) / (2.0 * kPi) + 0.5, sqrt(elevation / (0.5 * kPi)));
-}
-
-vec3 clear_sky(vec3 direction) {
-  float up_part = max(direction.z, 0.0);
-  vec3 horizon = vec3(0.62, 0.74, 0.84);
-  vec3 middle = vec3(0.27, 0.46, 0.70);
-  vec3 zenith = vec3(0.07, 0.18, 0.43);
-  vec3 colour = mix(mix(zenith, middle, exp(-2.6 * up_part)), horizon, exp(-9.0 * up_part));
-  float towards = max(dot(direction, sun.xyz), 0.0);
-  colour += vec3(1.0, 0.86, 0.66) * (0.10 * pow(towards, 6.0) + 0.22 * pow(towards, 48.0));
-  return colour;
-}
+// The sky is kept as a picture, a stereographic map: the zenith in the middle, the horizon a circle. Beyond the circle it
+// is mirrored, so that blurred levels hold at the horizon.
+vec2 sky_place(vec3 direction) { return 0.5 + 0.48 * direction.xy / (1.0 + max(direction.z, 0.0)); }

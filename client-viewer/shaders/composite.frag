@@ -1,3 +1,4 @@
+// The macro WITH_SLICK is defined where there is a film of oil.
 // Puts ship, sea, patch and sky together. The patch joins the open sea by blending inverse depth and slopes over its rim.
 in vec2 ndc;
 layout(binding = 0) uniform sampler2D opaque_colour;
@@ -6,9 +7,9 @@ layout(binding = 2) uniform sampler2D far_sea;
 layout(binding = 3) uniform sampler2D fluid_surface;
 layout(binding = 4) uniform sampler2D mirrored;
 layout(binding = 5) uniform sampler2D sky;
-layout(binding = 6) uniform sampler2D ripples;
 layout(binding = 7) uniform sampler2D foam_pattern;
 layout(binding = 8) uniform sampler2D film_map;
+layout(binding = 9) uniform sampler2D short_sea[3];
 layout(location = 0) out vec4 picture;
 layout(location = 1) out float scene_inverse;
 
@@ -16,13 +17,16 @@ vec3 sky_colour(vec3 d, float blur) {
   vec3 colour = textureLod(sky, sky_place(d), blur).rgb;
   return colour;
 }
-vec3 haze_colour(vec3 d) { return clear_sky(normalize(vec3(d.xy, 0.02 * length(d.xy)))); }
+// What the air adds on a long way: the sky just above the horizon, blurred.
+vec3 haze_colour(vec3 d) { return textureLod(sky, 0.5 + 0.47 * normalize(d.xy + 1e-6), 5.0).rgb; }
 
 // Filmic curve with a toe, so that deep water stays deep, and a soft shoulder for sky and foam.
 vec3 tone_map(vec3 c) {
   c *= 1.12;
   c = c * (c + 0.26) / (c * (0.80 * c + 0.62) + 0.30);
-  return pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2));
+  // c^(1 / 2.2) within 0.002, by roots, which cost less
+  vec3 root = sqrt(clamp(c, 0.0, 1.0)), fourth = sqrt(root), eighth = sqrt(fourth);
+  return 0.5851 * root + 0.7831 * fourth - 0.3683 * eighth;
 }
 
 // The fluid at full resolution: bilinear where its four texels lie on one surface. At a silhouette the nearer or the
@@ -41,26 +45,25 @@ vec4 fluid_at(vec2 uv) {
               dot(chosen, textureGather(fluid_surface, uv, 2)), dot(chosen, textureGather(fluid_surface, uv, 3)));
 }
 
-struct Detail { vec2 slope; float variance; };
-// Ripples that are anchored in the world: three sizes of one tile, drifting with the waves.
-Detail ripple_detail(vec2 p, float distance_to, float footprint) {
-  vec2 q = vec2(dot(p, wave_axis.xy), dot(p, vec2(-wave_axis.y, wave_axis.x))) + ripple_eye.xy;
-  Detail detail = Detail(vec2(0.0), 0.0);
-  float tile[3] = float[3](6.0, 240.0 / 13.0, 60.0);
-  float strength[3] = float[3](0.75, 0.85, 0.75);
-  vec2 shift[3] = vec2[3](ripple_shift.xy, ripple_shift.zw, ripple_shift.zw);
+struct Detail { vec2 slope; float variance; float foam; };
+// Waves that the far sea's grid and the particles do not show: tiles of short waves, anchored in the world. What a pixel
+// blurs counts as variance (Olano and Baker 2010). Stand-ins of wave components leave out what the grid shows itself.
+Detail short_waves(vec2 p, float footprint) {
+  float cell = grid_cell(length(p));
+  Detail detail = Detail(vec2(0.0), sea_grid.w, 0.0);
   for (int i = 0; i < 3; ++i) {
-    float lod = log2(max(footprint * 256.0 / tile[i], 1e-3));
-    if (lod > 8.5) { detail.variance += strength[i] * strength[i] * 0.010; continue; }
-    vec2 flip = vec2(1.0, i == 1 ? -1.0 : 1.0);  // the middle layer is mirrored, so that repeats do not line up
-    vec3 texel = textureLod(ripples, flip * (q - shift[i]) / tile[i], lod).rgb;
-    vec2 s = flip * texel.xy;
-    detail.slope += strength[i] * s;
-    detail.variance += strength[i] * strength[i] * max(texel.z - dot(texel.xy, texel.xy), 0.0);
+    vec2 place = p * tile[i].z + tile[i].xy;
+    float texels = 128.0 * tile[i].z;  // a metre
+    float lod = max(log2(footprint * texels), 0.0);
+    vec4 texel = textureLod(short_sea[i], place, lod);
+    detail.slope += texel.xy;
+    if (i < 2) {
+      float shown = 0.5 * max(7.4 * cell, tile[i].w);  // half the length of waves that the grid shows
+      detail.slope -= textureLod(short_sea[i], place, max(log2(shown * texels), lod)).xy;
+    }
+    detail.variance += max(texel.z - dot(texel.xy, texel.xy), 0.0);
+    detail.foam = max(detail.foam, texel.w * (i == 0 ? smoothstep(1.0, 4.0, cell) : 0.4));
   }
-  detail.slope *= wave_axis.z;
-  detail.variance *= wave_axis.z * wave_axis.z;
-  detail.slope = detail.slope.x * wave_axis.xy + detail.slope.y * vec2(-wave_axis.y, wave_axis.x);
   return detail;
 }
 
@@ -95,16 +98,30 @@ float hull_foam(vec2 p) {
   return foam;
 }
 
+// Share of a place that foam covers, where `amount` (0..1) of it is there: patches that break up as they fade, and in
+// strong wind streaks along it. Blurred patterns count with their mean.
 float foam_cover(vec2 p, float amount, float footprint) {
-  if (amount < 0.01) return 0.0;
-  vec2 q = p + ripple_eye.zw;
-  float lod = max(log2(footprint * 256.0 / 15.0), 0.0);
-  float pattern = 0.6 * textureLod(foam_pattern, q / 15.0, lod).r + 0.4 * textureLod(foam_pattern, q.yx / 5.0 + 0.3, lod + 1.6).r;
-  return clamp(amount, 0.0, 1.0) * smoothstep(1.0 - 0.95 * amount, 1.35 - 0.75 * amount, pattern + 0.15);
+  float streaking = 0.36 * smoothstep(11.0, 24.0, wave_axis.w);
+  if (amount + streaking < 0.01) return 0.0;
+  vec2 q = vec2(dot(p, pattern.xy), dot(p, vec2(-pattern.y, pattern.x))) + pattern.zw;
+  float lod = max(log2(footprint * 256.0 / 20.0), 0.0);
+  vec2 pattern_here = textureLod(foam_pattern, q / vec2(20.0, 15.0), lod).rg;
+  float coarse = pattern_here.r, thread = pattern_here.g;
+  float fine = textureLod(foam_pattern, q.yx / vec2(4.0, 6.0) + 0.3, lod + 1.8).r;
+  float grain = 0.55 * coarse + 0.45 * fine;
+  amount = clamp(amount, 0.0, 1.0);
+  float lacy = smoothstep(1.0 - amount, 1.35 - amount, grain);
+  float blurred = smoothstep(1.5, 5.0, lod);
+  float cover = mix(lacy, amount * amount, blurred) * min(1.0, 0.25 + 1.2 * amount);
+  // streaks: long threads that the fine pattern frays
+  float shown = 0.75 * thread + 0.25 * fine;
+  cover += streaking * mix(smoothstep(0.72, 1.0, shown), 0.10, blurred) * (1.0 - cover);
+  return cover;
 }
 
 struct Film { float thickness; float water; };  // um; volume share of water in the emulsion
 
+#ifdef WITH_SLICK
 // Oil on the water at a place. Streaks, wisps and ragged edges, which the elements are too large for, come from the
 // foam's pattern. It is fixed to the middle of the oil, so that it drifts along.
 Film film_at(vec2 p, float footprint) {
@@ -141,36 +158,39 @@ vec3 film_reflectance(float thickness, float spread, float cosine) {
   float contrast = mix(0.0204, 0.0300, smoothstep(0.02, 0.3, thickness));  // colours a little stronger than they are
   return 0.0404 - contrast * blurred * cos(path * thickness / wavelength);
 }
+#endif
 
 // `oil` 0..1: how much of the water is covered by thick oil. `film`: of the slick, `spread` as in film_reflectance().
-// `flatness` 0: the surface stands up against the view there, and a map of ripples would show contour rings.
 vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float oil, Film film, float spread, float height,
-                 vec2 uv, float behind_inverse, float flatness) {
+                 vec2 uv, float behind_inverse) {
   vec3 p = d / inverse;
   float distance_to = length(p);
   float footprint_across = 1.0 / (inverse * forward.w);
-  float grazing = clamp(-p.z / distance_to, 0.01, 1.0);
-  float footprint = footprint_across * pow(grazing, -0.85);
-  Detail detail = ripple_detail(p.xy, distance_to, footprint);
+  vec3 v = -p / distance_to;
+  // How large a pixel is on the water, which may lean towards the eye or away from it.
+  float grazing = clamp(dot(normalize(vec3(-slope, 1.0)), v), 0.004, 1.0);
+  float footprint = footprint_across / grazing;
+  Detail detail = short_waves(p.xy, footprint);
   float opaque = 1.0 - exp(-film.thickness / 70.0);  // the oil's own colour, by Beer's law
   float calm = max(oil, smoothstep(0.01, 0.6, film.thickness));
   // on steep water the ripples' map is stretched; oil damps them
-  slope += (1.0 - 0.8 * calm) * flatness * detail.slope / (1.0 + 2.5 * dot(slope, slope));
-  float variance = (1.0 - 0.8 * calm) * detail.variance + 0.0008 + 0.010 * wave_axis.z * wave_axis.z * smoothstep(60.0, 900.0, distance_to) * (1.0 - 0.6 * calm);
+  slope += (1.0 - 0.8 * calm) * detail.slope / (1.0 + 2.5 * dot(slope, slope));
+  float variance = (1.0 - 0.8 * calm) * detail.variance + 0.0004;
   vec3 n = normalize(vec3(-slope, 1.0));
-  vec3 v = -p / distance_to;
   float facing = dot(n, v);
   // facets seen from behind are hidden by others: tilt them to the rim
   if (facing < 0.03) { n = normalize(n + v * (0.03 - facing)); facing = 0.03; }
   float sigma = sqrt(variance);
   // Fresnel of a rough sea (Bruneton, Neyret & Holzschuch 2010)
   vec3 normal_incidence = vec3(mix(0.02, 0.037, oil));  // ((n - 1) / (n + 1))^2, n = 1.33 and 1.48
+#ifdef WITH_SLICK
   if (film.thickness > 0.0) normal_incidence = mix(film_reflectance(film.thickness, spread, facing), normal_incidence, oil);
-  vec3 fresnel = normal_incidence + (1.0 - normal_incidence) * pow(1.0 - facing, 5.0 * exp(-2.69 * sigma)) / (1.0 + 22.7 * pow(sigma, 1.5));
+#endif
+  vec3 fresnel = normal_incidence + (1.0 - normal_incidence) * pow(1.0 - facing, 5.0 * exp(-2.69 * sigma)) / (1.0 + 22.7 * sigma * sqrt(sigma));
   vec3 r = reflect(-v, n);
   r.z = abs(r.z) + 0.05 + 0.9 * sigma;  // rough water mirrors the sky higher up
   r = normalize(r);
-  vec3 reflection = sky_colour(r, 4.6 + 1.2 * smoothstep(0.0, 0.2, sigma)) * vec3(0.86, 0.95, 1.05);
+  vec3 reflection = sky_colour(r, 4.4 + 1.6 * smoothstep(0.0, 0.2, sigma)) * vec3(0.86, 0.95, 1.05);
   // the ship's mirror image in the mean level, disturbed by the slopes
   vec2 bend = vec2(dot(slope, right.xy), 0.7 * dot(slope, normalize(forward.xy + 1e-4))) * min(9.0 * inverse, 0.5);
   vec4 image = textureLod(mirrored, uv + bend * vec2(0.30, 0.42), 0.0);
@@ -204,7 +224,7 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float oil, Film 
   float glint_variance = variance + 0.0025;
   float glint = exp(-0.5 * dot(miss, miss) / glint_variance) / (glint_variance * 4.0 * pow(max(halfway.z, 0.3), 4.0));
   colour += sun.w * vec3(1.0, 0.9, 0.72) * min(glint * 0.02 * fresnel / max(facing, 0.15), 2.5) * (1.0 - image.a);
-  float white = foam_cover(p.xy, foam, footprint);
+  float white = foam_cover(p.xy, foam + (1.0 - calm) * detail.foam, footprint);
   vec3 foam_colour = vec3(0.78, 0.82, 0.84) * (0.42 + 0.50 * sun.w * clamp(dot(n, sun.xyz), 0.0, 1.0));
   colour = mix(colour, foam_colour, 0.93 * white);
   float haze = 1.0 - exp(-pow(distance_to / level.z, 1.15));
@@ -223,16 +243,16 @@ void main() {
   // A particle is about a spacing wide: water that seems to lie that thin on the dry parts of a hull is only its width.
   if (solid > 0.0 && water > solid && d.z / solid - level.x > 1.1 &&
       (1.0 / solid - 1.0 / water) * length(d) < 1.6 * fluid.y) water = 0.0;
-  // How fast the place on the water recedes from one line to the next, against level water.
   vec2 place = d.xy / max(water, 1e-5);
-  vec2 ahead = forward.xy / max(length(forward.xy), 1e-3);
+  // How far the place on level water recedes from one line to the next.
   float level_step = length(d) / (max(water, 1e-5) * forward.w * clamp(-d.z / length(d), 0.01, 1.0));
-  float flatness = smoothstep(0.04, 0.30, dot(dFdy(place), ahead) / level_step);
-  if (abs(forward.z) > 0.7) flatness = 1.0;  // seen from above
-  // Not in a branch, for its differences between pixels.
   Film film = Film(0.0, 0.0);
+  float spread = 0.0;
+#ifdef WITH_SLICK
+  // Not in a branch, for its differences between pixels.
   if (slick_map.w > 0.0) film = film_at(place, level_step);
-  float spread = min(fwidth(film.thickness), 1e3);
+  spread = min(fwidth(film.thickness), 1e3);
+#endif
   vec3 colour;
   if (solid > water) {
     colour = mix(textureLod(opaque_colour, uv, 0.0).rgb, haze_colour(d), 1.0 - exp(-length(d) / (solid * level.z)));
@@ -240,13 +260,10 @@ void main() {
     vec2 own = fluid_here.yz / (1.0 + 0.6 * length(fluid_here.yz));
     vec2 slope = open_sea.yz + weight * own;
     vec3 p = d / water;
-    // Crests break where the waves fold the surface most; in the patch its own slopes stand for its longer waves.
-    float fold = open_sea.w - 0.7 * weight * max(length(fluid_here.yz) - 0.12, 0.0);
-    float crest_foam = 0.82 * smoothstep(level.w + 0.5 * patch_blend.w, level.w - 1.3 * patch_blend.w, fold);
     float oil = weight * smoothstep(0.15, 0.55, -fluid_here.w);
     float clean = (1.0 - oil) * exp(-film.thickness / 70.0);
-    float foam = clean * (crest_foam + 0.85 * weight * max(fluid_here.w, 0.0) + hull_foam(p.xy));
-    colour = shade_water(d, water, slope, foam, oil, film, spread, p.z - level.x, uv, solid, flatness);
+    float foam = clean * (open_sea.w + 0.85 * weight * max(fluid_here.w, 0.0) + hull_foam(p.xy));
+    colour = shade_water(d, water, slope, foam, oil, film, spread, p.z - level.x, uv, solid);
   } else {
     colour = sky_colour(normalize(d), 0.0);
     colour = mix(colour, haze_colour(d), exp(-abs(d.z) / length(d) * 30.0));

@@ -26,11 +26,21 @@ float cloud_noise(vec2 p, int octaves) {
   return sum;
 }
 
+vec3 clear_sky(vec3 direction) {
+  float up_part = max(direction.z, 0.0);
+  vec3 horizon = vec3(0.62, 0.74, 0.84);
+  vec3 middle = vec3(0.27, 0.46, 0.70);
+  vec3 zenith = vec3(0.07, 0.18, 0.43);
+  vec3 colour = mix(mix(zenith, middle, exp(-2.6 * up_part)), horizon, exp(-9.0 * up_part));
+  float towards = max(dot(direction, sun.xyz), 0.0);
+  colour += vec3(1.0, 0.86, 0.66) * (0.10 * pow(towards, 6.0) + 0.22 * pow(towards, 48.0));
+  return colour;
+}
+
 void main() {
-  vec2 uv = 0.5 * ndc + 0.5;
-  float elevation = uv.y * uv.y * 0.5 * kPi;
-  float azimuth = (uv.x - 0.5) * 2.0 * kPi;
-  vec3 d = vec3(cos(elevation) * vec2(cos(azimuth), sin(azimuth)), sin(elevation));
+  vec2 q = ndc / 0.96;  // sky_place of common.glsl, turned round
+  float r2 = dot(q, q);
+  vec3 d = vec3(2.0 * q, abs(1.0 - r2)) / (1.0 + r2);
   vec3 sky = clear_sky(d);
   // Two decks on flat layers; the higher one is streaky. They thin out towards the horizon, where haze hides them.
   vec2 low = d.xy / (d.z + 0.10);

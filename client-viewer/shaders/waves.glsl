@@ -12,10 +12,11 @@ struct WaveSum {
   vec3 shift;     // m, of the surface particle whose place at rest is asked for
   vec2 slope;     // d elevation / dx, / dy there
   vec3 jacobian;  // xx, xy, yy of the horizontal shift's gradient
+  vec2 fold;      // sum of a k cos(theta), sin(theta): how much crests fold the surface, and how far behind them a place is
 };
 
-/// Adds component i with its amplitude times `part`.
-void add_wave(int i, vec2 p, float part, inout WaveSum sum) {
+/// Adds component i with its amplitude times `part`, to `fold` times `fold_part`.
+void add_wave(int i, vec2 p, float part, float fold_part, inout WaveSum sum) {
   MomentWave wave = waves[i];
   float turns = wave.turns.z + dot(wave.turns.xy, p);
   float theta = 6.28318531 * (turns - round(turns));
@@ -25,4 +26,5 @@ void add_wave(int i, vec2 p, float part, inout WaveSum sum) {
   sum.shift += vec3(-a * even * s * d, a * c + 0.5 * k * a * a * even);
   sum.slope -= a * k * s * d;
   sum.jacobian -= a * even * k * c * vec3(d.x * d.x, d.x * d.y, d.y * d.y);
+  sum.fold += fold_part * wave.size.x * even * k * vec2(c, s);
 }

@@ -25,8 +25,8 @@ layout(std430, binding = 4) readonly buffer Places { vec2 place[]; };
 layout(std430, binding = 5) writeonly buffer Sums { vec4 sum[]; };
 void main() {
   uint n = gl_GlobalInvocationID.x;
-  WaveSum waves_here = WaveSum(vec3(0.0), vec2(0.0), vec3(0.0));
-  for (int i = 0; i < wave_count; ++i) add_wave(i, place[n], 1.0, waves_here);
+  WaveSum waves_here = WaveSum(vec3(0.0), vec2(0.0), vec3(0.0), vec2(0.0));
+  for (int i = 0; i < wave_count; ++i) add_wave(i, place[n], 1.0, 1.0, waves_here);
   float share = patch_weight(place[n]);
   sum[3u * n] = vec4(waves_here.shift, share);
   sum[3u * n + 1u] = vec4(waves_here.slope, waves_here.jacobian.xy);

@@ -39,7 +39,7 @@ class FlatSea {
   Picture draw(const std::vector<SlickDisc>& discs, const Camera& camera = oblique_camera()) {
     SeaMoment moment;
     moment.slick = {discs, kMiddle};
-    moment.wind_speed = 3.0;
+    moment.wind = Eigen::Vector2d(3.0, 0.0);
     renderer_.draw(camera, moment);
     return renderer_.read_picture();
   }
