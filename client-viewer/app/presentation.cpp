@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "renderer/loose_water.hpp"
+
 namespace pelagos {
 namespace {
 
@@ -62,6 +64,7 @@ bool Presentation::update() {
   if (!newest) return false;
   source_.recycle(std::move(frame_));
   frame_ = std::move(newest);
+  loose_ = find_loose_water(frame_->particles, scene_.particle_spacing > 0.0 ? scene_.particle_spacing : 1.0);
   return true;
 }
 
@@ -98,6 +101,7 @@ void Presentation::draw() {
   moment.ahead = ahead;
   moment.origin = frame_->origin;
   moment.particles = frame_->particles;
+  moment.loose = loose_;
   moment.bodies = bodies;
   const std::shared_ptr<const OceanSlick> slick = source_.slick();
   if (slick) moment.slick = {slick->discs, slick->origin};

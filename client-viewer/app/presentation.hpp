@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "channels/rig.hpp"
 #include "renderer/renderer.hpp"
@@ -23,8 +24,10 @@ class Presentation {
   bool update();
   /// A scene and a frame have come, so that draw() has something to show.
   [[nodiscard]] bool ready() const { return frame_ != nullptr && scene_revision_ != 0; }
-  /// The meshes of the scene's bodies have been read, or cannot be.
-  [[nodiscard]] bool has_meshes() const { return meshes_wanted_ && loader_.done(); }
+  /// The meshes of the scene's bodies have been read and taken, or cannot be read.
+  [[nodiscard]] bool has_meshes() const {
+    return meshes_wanted_ && loader_.done() && mesh_revision_ == loader_.revision();
+  }
   /// Draws with the renderer. Needs ready().
   void draw();
   /// Another size of picture; the next draw uses it.
@@ -48,6 +51,7 @@ class Presentation {
   MeshLoader loader_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<OceanFrame> frame_;
+  std::vector<std::uint8_t> loose_;  ///< of the frame's particles
   SceneInfo scene_;
   std::uint64_t scene_revision_ = 0;
   std::chrono::steady_clock::time_point scene_came_{};

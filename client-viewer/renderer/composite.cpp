@@ -3,6 +3,11 @@
 #include <cstdint>
 
 namespace pelagos {
+namespace {
+
+constexpr std::size_t kSpritesOfADrop = 8;  // kSprites of spray.vert
+
+}  // namespace
 
 CompositePass::CompositePass(int width, int height, bool smooth_edges)
     : composite_program_("screen.vert", "composite.frag"),
@@ -41,9 +46,10 @@ void CompositePass::compose(const OpaquePass& opaque, const FarSeaPass& far_sea,
 void CompositePass::draw_spray(std::span<const DrawnParticle> drops, const DetailTextures& detail) {
   if (drops.empty()) return;
   drops_.upload(drops.data(), drops.size_bytes());
+  const std::size_t sprites = drops.size() * kSpritesOfADrop;
   std::vector<std::uint32_t> indices;
-  indices.reserve(drops.size() * 6);
-  for (std::uint32_t i = 0; i < drops.size(); ++i)
+  indices.reserve(sprites * 6);
+  for (std::uint32_t i = 0; i < sprites; ++i)
     for (const std::uint32_t corner : {0U, 1U, 3U, 0U, 3U, 2U}) indices.push_back(4 * i + corner);
   quads_.upload(indices.data(), indices.size() * sizeof(std::uint32_t));
   glVertexArrayElementBuffer(array_.id(), quads_.id());

@@ -94,7 +94,7 @@ void Program::set_vector4(const char* name, const float* values) const {
 Texture::Texture(int width, int height, GLenum format, GLenum filter, GLenum wrap, int levels)
     : width_(width), height_(height) {
   const int chain = std::bit_width(static_cast<unsigned>(std::max(width, height)));
-  const int count = levels == 0 ? chain : levels;
+  const int count = levels == 0 ? chain : std::min(levels, chain);
   glCreateTextures(GL_TEXTURE_2D, 1, &id_);
   glTextureStorage2D(id_, count, format, width, height);
   const GLenum minify = count > 1 && filter == GL_LINEAR ? GLenum{GL_LINEAR_MIPMAP_LINEAR} : filter;

@@ -47,7 +47,7 @@ class Program {
   GLuint id_ = 0;
 };
 
-/// A 2D texture. Immutable storage; `levels` 0 means the whole mip chain.
+/// A 2D texture. Immutable storage; `levels` 0 means the whole mip chain, which is also the most.
 class Texture {
  public:
   Texture(int width, int height, GLenum format, GLenum filter, GLenum wrap, int levels = 1);

@@ -4,11 +4,12 @@
 
 namespace pelagos {
 
-OpaquePass::OpaquePass(int width, int height)
+OpaquePass::OpaquePass(int width, int height, int mirror_divisor)
     : program_("opaque.vert", "opaque.frag"),
       colour_(width, height, GL_RGBA16F, GL_LINEAR, GL_CLAMP_TO_EDGE),
       inverse_depth_(width, height, GL_R32F, GL_NEAREST, GL_CLAMP_TO_EDGE),
-      mirrored_(std::max(width / 2, 1), std::max(height / 2, 1), GL_RGBA16F, GL_LINEAR, GL_CLAMP_TO_EDGE),
+      mirrored_(std::max(width / mirror_divisor, 1), std::max(height / mirror_divisor, 1), GL_RGBA16F, GL_LINEAR,
+                GL_CLAMP_TO_EDGE, 5),
       mirrored_depth_(mirrored_.width(), mirrored_.height(), GL_R32F, GL_NEAREST, GL_CLAMP_TO_EDGE),
       target_({&colour_, &inverse_depth_}, true),
       mirror_target_({&mirrored_, &mirrored_depth_}, true) {}
@@ -16,6 +17,7 @@ OpaquePass::OpaquePass(int width, int height)
 void OpaquePass::draw(const std::vector<PlacedMesh>& meshes) {
   draw_into(target_, meshes, false);
   draw_into(mirror_target_, meshes, true);
+  glGenerateTextureMipmap(mirrored_.id());
 }
 
 void OpaquePass::draw_into(const Framebuffer& target, const std::vector<PlacedMesh>& meshes, bool mirror) {

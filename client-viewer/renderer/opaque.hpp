@@ -18,12 +18,13 @@ struct PlacedMesh {
 /// Draws rigid bodies: once as they are (colour, inverse depth) and once mirrored in the mean water level.
 class OpaquePass {
  public:
-  OpaquePass(int width, int height);
+  /// @param mirror_divisor  the mirror image has so many times fewer pixels a side
+  OpaquePass(int width, int height, int mirror_divisor);
   void draw(const std::vector<PlacedMesh>& meshes);
 
   [[nodiscard]] const Texture& colour() const { return colour_; }
   [[nodiscard]] const Texture& inverse_depth() const { return inverse_depth_; }
-  [[nodiscard]] const Texture& mirrored() const { return mirrored_; }  ///< half resolution, alpha: covered
+  [[nodiscard]] const Texture& mirrored() const { return mirrored_; }  ///< alpha: covered; with five mip levels
 
  private:
   void draw_into(const Framebuffer& target, const std::vector<PlacedMesh>& meshes, bool mirror);

@@ -10,6 +10,7 @@
 #include "renderer/far_sea.hpp"
 #include "renderer/fluid.hpp"
 #include "renderer/gl_objects.hpp"
+#include "renderer/loose_water.hpp"
 #include "renderer/mesh.hpp"
 #include "renderer/opaque.hpp"
 #include "renderer/short_sea.hpp"
@@ -23,6 +24,7 @@ namespace pelagos {
 namespace {
 
 constexpr float kSprayThreshold = 0.5F;
+constexpr float kLooseSpray = 0.75F;    // strength of the spray of clumps, whose particles have neighbours
 constexpr double kVisibility = 9000.0;  // m
 // Pixels that the particles of a picture may cover, in pictures: a frame of huge ellipsoids must not take minutes. The
 // eye in the middle of the water meets some hundred.
@@ -69,6 +71,13 @@ Eigen::Vector2d streak_axis(const Eigen::Vector2d& wind) {
 
 /// Of a SurfaceParticle.
 constexpr std::uint8_t kOilPhase = 1;
+
+/// A drop as spray.vert reads it: the velocity stands in the place of the orientation, which drops do not have.
+DrawnParticle as_drop(DrawnParticle drop, const SurfaceParticle& particle, float strength) {
+  for (int axis = 0; axis < 3; ++axis) drop.orientation[axis] = particle.velocity[axis];
+  drop.spray = strength;
+  return drop;
+}
 
 DrawnParticle drawn(const SurfaceParticle& particle, const Eigen::Vector3f& offset, float ahead) {
   const Eigen::Vector3f centre = particle.position + ahead * particle.velocity + offset;
@@ -126,7 +135,7 @@ struct Renderer::State {
   explicit State(const RenderSettings& s)
       : settings(s),
         size(size_for(s)),
-        opaque(s.width, s.height),
+        opaque(s.width, s.height, s.quality == Quality::kLow ? 4 : 2),
         far_sea(s.width, s.height,
                 s.quality == Quality::kLow    ? 1.6
                 : s.quality == Quality::kHigh ? 0.7
@@ -146,7 +155,8 @@ struct Renderer::State {
   [[nodiscard]] std::vector<PlacedMesh> place_bodies(const Camera& camera, const SeaMoment& moment) const;
   void draw_slick(const Slick& slick);
   [[nodiscard]] ViewBlock view_block(const Camera& camera, const SeaMoment& moment, const WaveMoment& waves) const;
-  void fill_ship(ViewBlock& block, const Camera& camera, const SeaMoment& moment) const;
+  void fill_hulls(ViewBlock& block, const Camera& camera, const SeaMoment& moment,
+                  std::span<const MomentWave> waves) const;
   void upload_view(const ViewBlock& block) {
     view.upload(&block, sizeof block);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, view.id());
@@ -185,13 +195,23 @@ void Renderer::State::gather(const Camera& camera, const SeaMoment& moment) {
   double to_cover = kMostLayers * all;
   const Eigen::Vector3f offset = (moment.origin - camera.eye).cast<float>();
   const auto ahead = static_cast<float>(moment.ahead);
-  for (const SurfaceParticle& particle : moment.particles) {
+  std::vector<std::uint8_t> found;
+  std::span<const std::uint8_t> loose = moment.loose;
+  if (loose.size() != moment.particles.size()) {
+    found = find_loose_water(moment.particles, scene.particle_spacing > 0.0 ? scene.particle_spacing : 1.0);
+    loose = found;
+  }
+  for (std::size_t i = 0; i < moment.particles.size(); ++i) {
+    const SurfaceParticle& particle = moment.particles[i];
     const DrawnParticle one = drawn(particle, offset, ahead);
     const float reach = 1.5F * std::max({one.semi_axes[0], one.semi_axes[1], one.semi_axes[2]});
     if (!frustum.may_see(one.centre, reach)) continue;
     to_cover -= frustum.covered(one.centre, reach, all);
     if (to_cover < 0.0) break;
-    (one.spray > kSprayThreshold ? drops : water).push_back(one);
+    if (loose[i] != 0 || one.spray > kSprayThreshold)
+      drops.push_back(as_drop(one, particle, std::max(one.spray, kLooseSpray)));
+    else
+      water.push_back(one);
   }
 }
 
@@ -214,28 +234,43 @@ std::vector<PlacedMesh> Renderer::State::place_bodies(const Camera& camera, cons
   return placed;
 }
 
-void Renderer::State::fill_ship(ViewBlock& block, const Camera& camera, const SeaMoment& moment) const {
-  block.ship = vector4(0, 0, 1, 0);
-  block.ship_size.setZero();
+/// m/s, horizontal: how the water moves as a whole, by a current or because it flows past a patch that goes along with
+/// a ship. What waves move to and fro does not count.
+Eigen::Vector2d flow_of(std::span<const SurfaceParticle> particles, std::span<const MomentWave> waves) {
+  if (particles.empty()) return Eigen::Vector2d::Zero();
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const SurfaceParticle& particle : particles) sum += particle.velocity.head<2>().cast<double>();
+  double orbital = 0.04;  // (m/s)^2
+  for (const MomentWave& wave : waves) orbital += 0.5 * std::pow(static_cast<double>(wave.amplitude * wave.omega), 2);
+  const Eigen::Vector2d mean = sum / static_cast<double>(particles.size());
+  return std::clamp(mean.norm() / std::sqrt(orbital) - 1.0, 0.0, 1.0) * mean;
+}
+
+void Renderer::State::fill_hulls(ViewBlock& block, const Camera& camera, const SeaMoment& moment,
+                                 std::span<const MomentWave> waves) const {
+  const Eigen::Vector2d flow = flow_of(moment.particles, waves);
+  std::size_t count = 0;
   for (const BodyState& body : moment.bodies) {
     const auto mesh = meshes.find(body.body);
-    if (mesh == meshes.end()) continue;
+    if (mesh == meshes.end() || count == block.hull.size()) continue;
+    const Eigen::Vector2d through = body.velocity.head<2>() - flow;
     const double heading = heading_of(body.orientation);
-    const Eigen::Vector3d forward(std::cos(heading), std::sin(heading), 0.0);
-    const double speed = body.velocity.dot(forward);
-    const double curvature = std::abs(speed) > 0.5 ? std::clamp(body.angular_velocity.z() / speed, -0.02, 0.02) : 0.0;
-    const Eigen::Vector3f& low = mesh->second->low();
-    const Eigen::Vector3f& high = mesh->second->high();
+    Eigen::Vector2d way(std::cos(heading), std::sin(heading));
+    if (through.dot(way) < 0.0) way = -way;  // astern: the stern is her bow
+    const double speed = through.dot(way);
+    if (speed < 0.5) continue;
+    const double curvature = std::clamp(body.angular_velocity.z() / speed, -0.02, 0.02);
+    const Eigen::Vector3f half = 0.5F * (mesh->second->high() - mesh->second->low());
     const Eigen::Vector3d offset = body.position - camera.eye;
-    block.ship = vector4(offset.x(), offset.y(), forward.x(), forward.y());
-    block.ship_size = vector4(0.5 * (high.x() - low.x()), 0.5 * (high.y() - low.y()), speed, curvature);
-    return;
+    block.hull[count] = vector4(offset.x(), offset.y(), way.x(), way.y());
+    block.hull_size[count++] = vector4(static_cast<double>(half.x()), static_cast<double>(half.y()), speed, curvature);
   }
+  block.fluid.z() = static_cast<float>(count);
 }
 
 ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& moment, const WaveMoment& waves) const {
   const FluidSize guarded = fluid_size_of(camera, fluid_scale(settings.quality));
-  ViewBlock block;
+  ViewBlock block = {};
   block.right = vector4(camera.view_from_world.row(0), camera.tan_half_x);
   block.up = vector4(camera.view_from_world.row(1), camera.tan_half_y);
   block.forward = vector4(camera.view_from_world.row(2), camera.focal_pixels());
@@ -274,7 +309,7 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   const Eigen::Vector2d map = slick_place.corner - eye, middle = slick_place.centre - eye;
   block.slick_map = vector4(map.x(), map.y(), oily ? 1.0 / slick_place.length : 0.0, oily ? 1.0 : 0.0);
   block.slick_centre = vector4(middle.x(), middle.y(), slick_place.reach, 0);
-  fill_ship(block, camera, moment);
+  fill_hulls(block, camera, moment, waves.waves);
   return block;
 }
 

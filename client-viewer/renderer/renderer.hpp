@@ -35,6 +35,7 @@ struct SeaMoment {
   double ahead = 0.0;                                ///< s, from the frame to the time shown: particles go on so long
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world, of the particles
   std::span<const SurfaceParticle> particles;
+  std::span<const std::uint8_t> loose;  ///< of each particle, see find_loose_water; empty: the renderer finds out
   std::span<const BodyState> bodies;    ///< at the time shown
   Slick slick;                          ///< the film of oil, if there is one
   std::optional<Eigen::Vector2d> wind;  ///< m/s, towards; unknown: from the far sea

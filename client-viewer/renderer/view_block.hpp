@@ -10,8 +10,9 @@ struct ViewBlock {
   Eigen::Vector4f right, up, forward, size, fluid_size, fluid, level, patch_box, patch_blend, sun, wave_axis, pattern,
       sea_grid;
   std::array<Eigen::Vector4f, 3> tile;
-  Eigen::Vector4f ship, ship_size, slick_map, slick_centre;
+  std::array<Eigen::Vector4f, 4> hull, hull_size;
+  Eigen::Vector4f slick_map, slick_centre;
 };
-static_assert(sizeof(ViewBlock) == 20 * 4 * sizeof(float));
+static_assert(sizeof(ViewBlock) == 26 * 4 * sizeof(float));
 
 }  // namespace pelagos

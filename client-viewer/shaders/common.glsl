@@ -6,7 +6,7 @@ layout(std140, binding = 0) uniform View {
   vec4 forward;        //                           w: focal length, pixels
   vec4 size;           // picture: width, height, 1/width, 1/height
   vec4 fluid_size;     // fluid buffers: width, height (guard band included), tangents of their half fields of view
-  vec4 fluid;          // focal length of the fluid buffers in pixels, particle spacing, -, -
+  vec4 fluid;          // focal length of the fluid buffers in pixels, particle spacing, how many hulls, -
   vec4 level;          // z of the mean water level relative to the eye, display time modulo an hour, visibility (m), envelope
                        // of the crests' folding above which they break, in standard deviations
   vec4 patch_box;      // simulated patch: min x, min y, max x, max y relative to the eye
@@ -19,8 +19,9 @@ layout(std140, binding = 0) uniform View {
                        // waves shorter than those of the tiles
   vec4 tile[3];        // of short waves: the eye's place x, y in parts of a side, 1 / side (1/m), length (m) above
                        // which its waves stand in for wave components
-  vec4 ship;           // own ship: x, y relative to the eye, cos and sin of its heading
-  vec4 ship_size;      // half length, half beam (0: no ship), speed ahead (m/s), path curvature (1/m, positive to port)
+  vec4 hull[4];        // bodies that leave a wake: x, y relative to the eye, cos and sin of the way that they go
+  vec4 hull_size[4];   // half length, half beam (0: none), speed through the water (m/s), path curvature (1/m, positive to
+                       // port)
   vec4 slick_map;      // map of the oil film: corner x, y relative to the eye, 1 / length of a side, present (0 or 1)
   vec4 slick_centre;   // middle of the oil: x, y relative to the eye; reach of its elements (m); unused
 };

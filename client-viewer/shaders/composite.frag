@@ -62,46 +62,17 @@ Detail short_waves(vec2 p, float footprint) {
       detail.slope -= textureLod(short_sea[i], place, max(log2(shown * texels), lod)).xy;
     }
     detail.variance += max(texel.z - dot(texel.xy, texel.xy), 0.0);
-    detail.foam = max(detail.foam, texel.w * (i == 0 ? smoothstep(1.0, 4.0, cell) : 0.4));
+    detail.foam = max(detail.foam, texel.w * (i == 0 ? smoothstep(1.0, 4.0, cell) : 0.22));
   }
   return detail;
 }
 
-// Foam that a moving hull leaves: along its sides, two arms from the bow, and the wake along the path it came.
-float hull_foam(vec2 p) {
-  if (ship_size.y <= 0.0) return 0.0;
-  float speed = abs(ship_size.z);
-  vec2 r = p - ship.xy;
-  vec2 q = vec2(dot(r, ship.zw), dot(r, vec2(-ship.w, ship.z)));
-  float half_length = ship_size.x, half_beam = ship_size.y;
-  float along = q.x / half_length;
-  float go = smoothstep(0.3, 4.0, speed);
-  float entry = along > 0.15 ? 1.0 - pow(clamp((along - 0.15) / 0.80, 0.0, 1.0), 1.9) : 1.0;
-  float edge = abs(q.y) - half_beam * entry;
-  float beside = smoothstep(1.12, 0.9, abs(along)) * exp(-max(edge, 0.0) / (0.35 + 0.5 * go));
-  float foam = beside * (0.32 + 0.55 * go);
-  // bow arms, from the stem outwards and aft
-  float aft_of_bow = half_length * 0.94 - q.x;
-  if (aft_of_bow > -1.5) {
-    float arm = abs(q.y) - 0.4 - 0.34 * max(aft_of_bow, 0.0);
-    float width = 0.5 + 0.05 * aft_of_bow;
-    foam += go * 1.1 * exp(-arm * arm / (width * width)) * exp(-max(aft_of_bow, 0.0) / (3.0 + 2.2 * speed));
-  }
-  float astern = -q.x - half_length * 0.96;
-  if (astern > -1.0) {
-    float off = q.y - 0.5 * ship_size.w * astern * astern;
-    float width = 0.75 * half_beam + 0.06 * astern;
-    float core = exp(-pow(abs(off) / width, 3.0));
-    float rims = exp(-pow((abs(off) - width) / (0.6 + 0.03 * astern), 2.0));
-    foam += go * (0.75 * core + 0.35 * rims) * exp(-max(astern, 0.0) / (4.0 + 7.0 * speed)) * smoothstep(-1.0, 0.5, astern);
-  }
-  return foam;
-}
+#include "wake.glsl"
 
 // Share of a place that foam covers, where `amount` (0..1) of it is there: patches that break up as they fade, and in
 // strong wind streaks along it. Blurred patterns count with their mean.
-float foam_cover(vec2 p, float amount, float footprint) {
-  float streaking = 0.36 * smoothstep(11.0, 24.0, wave_axis.w);
+float foam_cover(vec2 p, float amount, float footprint, float streaky) {
+  float streaking = streaky * 0.36 * smoothstep(11.0, 24.0, wave_axis.w);
   if (amount + streaking < 0.01) return 0.0;
   vec2 q = vec2(dot(p, pattern.xy), dot(p, vec2(-pattern.y, pattern.x))) + pattern.zw;
   float lod = max(log2(footprint * 256.0 / 20.0), 0.0);
@@ -160,8 +131,8 @@ vec3 film_reflectance(float thickness, float spread, float cosine) {
 }
 #endif
 
-// `oil` 0..1: how much of the water is covered by thick oil. `film`: of the slick, `spread` as in film_reflectance().
-vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float oil, Film film, float spread, float height,
+// `churned` 0..1: how full of bubbles and how smooth a wake has left the water. `oil` 0..1: how much of the water is covered by thick oil. `film`: of the slick, `spread` as in film_reflectance().
+vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float churned, float oil, Film film, float spread, float height,
                  vec2 uv, float behind_inverse) {
   vec3 p = d / inverse;
   float distance_to = length(p);
@@ -170,9 +141,11 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float oil, Film 
   // How large a pixel is on the water, which may lean towards the eye or away from it.
   float grazing = clamp(dot(normalize(vec3(-slope, 1.0)), v), 0.004, 1.0);
   float footprint = footprint_across / grazing;
-  Detail detail = short_waves(p.xy, footprint);
+  // Patterns are anchored in the world, and sheared by the height: else a steep face would show them as stripes.
+  vec2 anchored = p.xy + 0.8 * (p.z - level.x) * wave_axis.xy;
+  Detail detail = short_waves(anchored, footprint);
   float opaque = 1.0 - exp(-film.thickness / 70.0);  // the oil's own colour, by Beer's law
-  float calm = max(oil, smoothstep(0.01, 0.6, film.thickness));
+  float calm = max(max(oil, smoothstep(0.01, 0.6, film.thickness)), 0.7 * churned);
   // on steep water the ripples' map is stretched; oil damps them
   slope += (1.0 - 0.8 * calm) * detail.slope / (1.0 + 2.5 * dot(slope, slope));
   float variance = (1.0 - 0.8 * calm) * detail.variance + 0.0004;
@@ -193,7 +166,7 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float oil, Film 
   vec3 reflection = sky_colour(r, 4.4 + 1.6 * smoothstep(0.0, 0.2, sigma)) * vec3(0.86, 0.95, 1.05);
   // the ship's mirror image in the mean level, disturbed by the slopes
   vec2 bend = vec2(dot(slope, right.xy), 0.7 * dot(slope, normalize(forward.xy + 1e-4))) * min(9.0 * inverse, 0.5);
-  vec4 image = textureLod(mirrored, uv + bend * vec2(0.30, 0.42), 0.0);
+  vec4 image = textureLod(mirrored, uv + bend * vec2(0.30, 0.42), 1.0 + 5.0 * smoothstep(0.0, 0.25, sigma));
   reflection = mix(reflection, image.rgb / max(image.a, 1e-3), 0.7 * image.a);
 
   // Light that comes back out of the water, more through thin crests and where the sun stands behind them.
@@ -204,13 +177,16 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float oil, Film 
                   clamp(0.6 + 1.4 * dot(slope, v.xy), 0.15, 1.0);
   float lit = 0.55 + 0.75 * sun.w * max(dot(n, sun.xyz), 0.0);
   vec3 body = mix(deep, shallow, 0.40 * through) * lit;
+  body = mix(body, vec3(0.040, 0.118, 0.140) * lit, 0.62 * churned);  // bubbles throw light back
   // Hull or other bodies below the surface (Beer's law)
   if (behind_inverse > 0.0 && behind_inverse < inverse) {
     vec2 refracted = uv + bend * 0.04;
     if (textureLod(opaque_inverse, refracted, 0.0).r > inverse) refracted = uv;
     float path = (1.0 / behind_inverse - 1.0 / inverse) * length(d);
     vec3 kept = exp(-path * vec3(0.75, 0.30, 0.24));
-    body = mix(body, textureLod(opaque_colour, refracted, 0.0).rgb * vec3(0.55, 0.75, 0.75), kept);
+    vec3 below = textureLod(opaque_colour, refracted, 0.0).rgb;
+    // the light comes down through the water as well
+    body = mix(body, below * exp(-max(height - (d.z / behind_inverse - level.x), 0.0) * vec3(0.75, 0.30, 0.24)), kept);
   }
   vec3 brown = vec3(0.013, 0.0065, 0.003);
   vec3 mousse = mix(brown, vec3(0.095, 0.036, 0.012), smoothstep(0.15, 0.65, film.water));
@@ -224,7 +200,7 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float oil, Film 
   float glint_variance = variance + 0.0025;
   float glint = exp(-0.5 * dot(miss, miss) / glint_variance) / (glint_variance * 4.0 * pow(max(halfway.z, 0.3), 4.0));
   colour += sun.w * vec3(1.0, 0.9, 0.72) * min(glint * 0.02 * fresnel / max(facing, 0.15), 2.5) * (1.0 - image.a);
-  float white = foam_cover(p.xy, foam + (1.0 - calm) * detail.foam, footprint);
+  float white = foam_cover(anchored, foam + (1.0 - calm) * detail.foam, footprint, 1.0 - churned);
   vec3 foam_colour = vec3(0.78, 0.82, 0.84) * (0.42 + 0.50 * sun.w * clamp(dot(n, sun.xyz), 0.0, 1.0));
   colour = mix(colour, foam_colour, 0.93 * white);
   float haze = 1.0 - exp(-pow(distance_to / level.z, 1.15));
@@ -238,6 +214,10 @@ void main() {
   vec4 open_sea = textureLod(far_sea, uv, 0.0);
   vec4 fluid_here = fluid_at(0.5 * ndc * vec2(right.w, up.w) / fluid_size.zw + 0.5);
   float weight = fluid_here.x > 0.0 ? patch_weight(d.xy / fluid_here.x) : 0.0;
+  // Where the two surfaces lie far apart along the ray, one of them is a crest that hides what is behind it. A mean of both
+  // would stand there as a wall.
+  float apart = max(open_sea.x, fluid_here.x) / max(min(open_sea.x, fluid_here.x), 1e-6);
+  weight = mix(weight, step(0.5, weight), smoothstep(1.06, 1.25, apart));
   float water = mix(open_sea.x, fluid_here.x, weight);
   if (open_sea.x <= 0.0) water = weight > 0.5 ? fluid_here.x : 0.0;
   // A particle is about a spacing wide: water that seems to lie that thin on the dry parts of a hull is only its width.
@@ -262,8 +242,10 @@ void main() {
     vec3 p = d / water;
     float oil = weight * smoothstep(0.15, 0.55, -fluid_here.w);
     float clean = (1.0 - oil) * exp(-film.thickness / 70.0);
-    float foam = clean * (open_sea.w + 0.85 * weight * max(fluid_here.w, 0.0) + hull_foam(p.xy));
-    colour = shade_water(d, water, slope, foam, oil, film, spread, p.z - level.x, uv, solid);
+    Wake wake = wake_at(p.xy, level_step);
+    slope += (1.0 - weight) * wake.slope;  // in the patch the particles make the ship's waves
+    float foam = clean * (open_sea.w + 0.85 * weight * max(fluid_here.w, 0.0) + wake.foam);
+    colour = shade_water(d, water, slope, foam, clean * wake.churned, oil, film, spread, p.z - level.x, uv, solid);
   } else {
     colour = sky_colour(normalize(d), 0.0);
     colour = mix(colour, haze_colour(d), exp(-abs(d.z) / length(d) * 30.0));

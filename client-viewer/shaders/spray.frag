@@ -1,7 +1,8 @@
 in vec2 corner;
 flat in float strength;
 flat in float inverse_depth;
-flat in vec2 grain_at;
+flat in vec3 grain;
+flat in float lod;
 layout(binding = 0) uniform sampler2D scene_inverse;
 layout(binding = 7) uniform sampler2D foam_pattern;
 layout(location = 0) out vec4 picture;
@@ -11,7 +12,13 @@ void main() {
   float behind = texelFetch(scene_inverse, ivec2(gl_FragCoord.xy), 0).r;
   float gap = behind > 0.0 ? 1.0 / behind - 1.0 / inverse_depth : 1e3;
   float soft = clamp(0.5 + gap / fluid.y, 0.0, 1.0);
-  float grain = textureLod(foam_pattern, 0.16 * corner + grain_at, 1.5).r;
-  float alpha = 0.42 * strength * soft * (1.0 - r) * (1.0 - r) * (0.35 + 0.9 * grain);
-  picture = vec4(0.86, 0.89, 0.91, alpha);
+  float pattern = textureLod(foam_pattern, 0.09 * corner + grain.xy, lod).r;
+  float inside = 1.0 - r;
+  float mist = 0.16 * inside * inside * (0.4 + 0.8 * pattern);
+  // Where the pattern is high there are drops, fewer towards the edge of the cluster.
+  float drops = 0.85 * smoothstep(0.0, 0.12, inside) * smoothstep(0.55, 0.80, pattern - 0.45 * r + 0.1);
+  drops = mix(drops, 0.33 * inside * inside, smoothstep(0.7, 2.2, lod));  // too far away to tell drops
+  float alpha = strength * soft * mix(mist, drops, grain.z);
+  // white water: the sky's light, and the sun's through it
+  picture = vec4(vec3(0.80, 0.84, 0.87) + 0.06 * sun.w * grain.z, alpha);
 }

@@ -128,6 +128,51 @@ TEST_F(Graphics, ShipStandsInTheQuarterView) {
   EXPECT_GT(orange, 20);
 }
 
+/// Pixels that are nearly white in the lower part of a picture.
+int white_pixels(const Picture& picture) {
+  int white = 0;
+  for (int y = picture.height / 3; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) white += picture.at(x, y)[0] > 170 && picture.at(x, y)[2] > 170;
+  return white;
+}
+
+TEST_F(Graphics, AHullLeavesAWakeByItsSpeedThroughTheWater) {
+  SyntheticSea sea(32);
+  for (SurfaceParticle& particle : sea.frame().particles) particle.foam = 0;
+  BodyState& ship = sea.frame().bodies.front();
+  const Eigen::Vector3d way = ship.velocity.normalized();
+  ship.velocity.setZero();
+  const int at_rest = white_pixels(sea.draw("above").picture);
+  ship.velocity = 7.2 * way;
+  const int under_way = white_pixels(sea.draw("above").picture);
+  EXPECT_GT(under_way, at_rest + 300);
+  // The same ship held against a current
+  ship.velocity.setZero();
+  for (SurfaceParticle& particle : sea.frame().particles) particle.velocity = (-7.2 * way).cast<float>();
+  EXPECT_NEAR(white_pixels(sea.draw("above").picture), under_way, 0.1 * under_way);
+}
+
+/// Where the patch stands apart from the waves around, its rim must not be drawn as a wall between the two.
+TEST_F(Graphics, APatchApartFromTheSeaAroundMakesNoWall) {
+  SyntheticSea sea(32);
+  sea.frame().bodies.front().position.z() = 4.0;
+  const Drawn level = sea.draw("starboard");
+  for (SurfaceParticle& particle : sea.frame().particles) particle.position.z() -= 2.0F;
+  const Drawn low = sea.draw("starboard");
+  // Going up a column the depth grows; on a wall it would stand still.
+  const auto standing = [](const Drawn& drawn) {
+    int count = 0;
+    for (int x = 0; x < kWidth; ++x)
+      for (int y = 1; y < kHeight / 2; ++y) {
+        const auto at = static_cast<std::size_t>(y * kWidth + x);
+        const float here = drawn.depth[at], below = drawn.depth[at - kWidth];
+        count += here > 15.0F && here < 60.0F && std::abs(here - below) < 1e-3F * here;
+      }
+    return count;
+  };
+  EXPECT_LE(standing(low), standing(level) + kWidth * kHeight / 400);
+}
+
 TEST_F(Graphics, SameFrameGivesTheSamePicture) {
   SyntheticSea sea(32);
   const Drawn first = sea.draw("starboard");
