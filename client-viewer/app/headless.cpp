@@ -34,7 +34,8 @@ class HeadlessRun {
   HeadlessRun(const Options& options, const Channel& channel, FrameSource& source)
       : options_(options),
         source_(source),
-        view_(source, channel, {options.width, options.height, channel.guard_px, options.quality, true},
+        view_(source, channel,
+              {options.width, options.height, channel.guard_px, options.quality, true, options.weather},
               options.assets / "meshes") {
     report_.channel = channel.name;
     report_.renderer = renderer_name();

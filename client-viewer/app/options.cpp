@@ -1,6 +1,7 @@
 #include "app/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 #include <map>
 
@@ -18,7 +19,35 @@ bool read_size(const std::string& text, int& width, int& height) {
          width <= 8192 && height <= 8192;
 }
 
+constexpr double kMetresPerMile = 1852.0;  // nautical
+
 }  // namespace
+
+std::optional<double> read_utc(const std::string& text) {
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0, length = 0;
+  const auto reads = [&](const char* format, int fields) {
+    length = 0;
+    const int read = std::sscanf(text.c_str(), format, &year, &month, &day, &hour, &minute, &second, &length);
+    return read >= fields;
+  };
+  std::string rest;
+  if (reads("%4d-%2d-%2dT%2d:%2d:%2d%n", 6) && length > 0) {
+    rest = text.substr(static_cast<std::size_t>(length));
+  } else {
+    second = 0;
+    if (std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d%n", &year, &month, &day, &hour, &minute, &length) != 5)
+      return std::nullopt;
+    rest = text.substr(static_cast<std::size_t>(length));
+  }
+  const std::chrono::year_month_day date(std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day)));
+  const bool good = (rest.empty() || rest == "Z") && text.find_first_of(" +") == std::string::npos && date.ok() &&
+                    year >= 1950 && year <= 2050 && hour >= 0 && hour < 24 && minute >= 0 && minute < 60 &&
+                    second >= 0 && second < 60;
+  if (!good) return std::nullopt;
+  const auto days = std::chrono::sys_days(date).time_since_epoch().count();
+  return 86'400.0 * static_cast<double>(days) + 3600.0 * hour + 60.0 * minute + second;
+}
 
 std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
   Options options;
@@ -41,6 +70,17 @@ std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
          "--quality", [&](const std::string& name) { options.quality = qualities.at(name); },
          "low, medium (default) or high")
       ->check(OneOf({"low", "medium", "high"}));
+  app.add_option_function<std::string>(
+         "--utc", [&](const std::string& text) { options.weather.utc = read_utc(text); },
+         "date and time of day at the simulation's time 0, YYYY-MM-DDTHH:MM: where the sun stands")
+      ->check([](const std::string& text) -> std::string {
+        return read_utc(text) ? "" : "is " + text + "; allowed: YYYY-MM-DDTHH:MM in UTC, from 1950 to 2050";
+      });
+  app.add_option("--cloud", options.weather.cloud_oktas, "cloud cover in eighths of the sky")
+      ->check(NumberFrom(0.0, 8.0))
+      ->capture_default_str();
+  double visibility = options.weather.visibility / kMetresPerMile;
+  app.add_option("--visibility", visibility, "nautical miles (default: 12.4)")->check(NumberFrom(0.02, 50.0));
   app.add_flag("--synthetic", options.synthetic, "draw a made-up sea with a ship, without a server");
   auto* headless = app.add_flag("--headless", options.headless, "no window: write pictures and a report");
   const auto add_headless = [&](const char* name, auto& value, const char* text) {
@@ -58,6 +98,7 @@ std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
     exit_code = *status;
     return std::nullopt;
   }
+  options.weather.visibility = kMetresPerMile * visibility;
   read_size(size, options.width, options.height);
   if (options.assets.empty()) options.assets = installed_assets();
   if (options.rig.empty()) options.rig = options.assets / "rigs" / "ship_bridge.json";

@@ -26,9 +26,13 @@ struct Options {
   std::filesystem::path out = ".";
   int width = 1280, height = 720;
   Quality quality = Quality::kMedium;
+  Weather weather;
 };
 
 /// Reads the command line. Help, version and mistakes are printed; then there is nothing to run and `exit_code` is set.
 [[nodiscard]] std::optional<Options> read_options(int argc, char** argv, int& exit_code);
+
+/// s since 1970 of a date and a time of day in UTC, YYYY-MM-DDTHH:MM, with :SS and Z if wanted; years 1950 to 2050.
+[[nodiscard]] std::optional<double> read_utc(const std::string& text);
 
 }  // namespace pelagos

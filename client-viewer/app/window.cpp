@@ -105,7 +105,8 @@ void draw_window(Presentation& view, int width, int height) {
 
 int run_window(const Options& options, const Channel& channel, FrameSource& source, const std::atomic<bool>& stop) {
   const Window window(options.width, options.height, "Pelagos - " + channel.name);
-  Presentation view(source, channel, {options.width, options.height, channel.guard_px, options.quality, false},
+  Presentation view(source, channel,
+                    {options.width, options.height, channel.guard_px, options.quality, false, options.weather},
                     options.assets / "meshes");
   bool overlay = true, key_was_down = false;
   double frames_per_second = 0.0;

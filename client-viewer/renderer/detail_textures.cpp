@@ -93,23 +93,25 @@ std::vector<float> make_foam() {
 }  // namespace
 
 DetailTextures::DetailTextures()
-    : sky_(1024, 1024, GL_RGBA16F, GL_LINEAR, GL_CLAMP_TO_EDGE, 8),
-      foam_(kTile, kTile, GL_RG8, GL_LINEAR, GL_REPEAT, 0) {
+    : sky_program_("screen.vert", "sky.frag"),
+      sky_(1024, 1024, GL_RGBA16F, GL_LINEAR, GL_CLAMP_TO_EDGE, 8),
+      foam_(kTile, kTile, GL_RG8, GL_LINEAR, GL_REPEAT, 0),
+      target_({&sky_}) {
   const std::vector<float> pattern = make_foam();
   glTextureSubImage2D(foam_.id(), 0, 0, 0, kTile, kTile, GL_RG, GL_FLOAT, pattern.data());
   glGenerateTextureMipmap(foam_.id());
 
-  const Program program("screen.vert", "sky.frag");
-  const VertexArray nothing;
-  const Framebuffer target({&sky_});
-  target.bind();
+  check_graphics("the detail textures");
+}
+
+void DetailTextures::draw_sky() {
+  target_.bind();
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
-  program.use();
-  nothing.bind();
+  sky_program_.use();
+  nothing_.bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glGenerateTextureMipmap(sky_.id());
-  check_graphics("the detail textures");
 }
 
 }  // namespace pelagos

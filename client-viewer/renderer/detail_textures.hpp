@@ -4,11 +4,12 @@
 
 namespace pelagos {
 
-/// Pictures that are made once: the sky, and the foam pattern, which tiles seamlessly.
+/// The sky, drawn when the light changes, and the foam pattern, which is made once and tiles seamlessly.
 class DetailTextures {
  public:
-  /// The view block must be bound and hold the sun.
   DetailTextures();
+  /// The view block must be bound and hold sun and weather.
+  void draw_sky();
 
   [[nodiscard]] const Texture& sky() const { return sky_; }  ///< see sky_place of common.glsl; HDR, mip chain
   [[nodiscard]] const Texture& foam() const {
@@ -16,10 +17,13 @@ class DetailTextures {
   }  ///< strands and holes; threads along x; both spread evenly over 0..1
 
  private:
+  Program sky_program_;
   Texture sky_, foam_;
+  Framebuffer target_;
+  VertexArray nothing_;
 };
 
 /// Length in metres after which the patterns of foam repeat, in axes along and across its streaks.
-inline constexpr double kDetailPeriod = 60.0;
+inline constexpr double kDetailPeriod = 180.0;
 
 }  // namespace pelagos

@@ -24,8 +24,7 @@ namespace pelagos {
 namespace {
 
 constexpr float kSprayThreshold = 0.5F;
-constexpr float kLooseSpray = 0.75F;    // strength of the spray of clumps, whose particles have neighbours
-constexpr double kVisibility = 9000.0;  // m
+constexpr float kLooseSpray = 0.75F;  // strength of the spray of clumps, whose particles have neighbours
 // Pixels that the particles of a picture may cover, in pictures: a frame of huge ellipsoids must not take minutes. The
 // eye in the middle of the water meets some hundred.
 constexpr double kMostLayers = 4000.0;
@@ -169,7 +168,9 @@ struct Renderer::State {
   FarSeaPass far_sea;
   FluidPass fluid;
   CompositePass composite;
-  std::unique_ptr<DetailTextures> detail;
+  void renew_sky(double time);
+  DetailTextures detail;
+  std::optional<SkyMoment> sky_shown;
   ShortWaves short_waves{0};
   ShortSea short_sea;
   std::unique_ptr<SlickMap> slick_map;  ///< from the first slick on
@@ -213,6 +214,14 @@ void Renderer::State::gather(const Camera& camera, const SeaMoment& moment) {
     else
       water.push_back(one);
   }
+}
+
+/// The view block must be bound.
+void Renderer::State::renew_sky(double time) {
+  const SkyMoment light = sky_at(settings.weather, scene.origin, time);
+  if (sky_shown && light.looks_like(*sky_shown)) return;
+  detail.draw_sky();
+  sky_shown = light;
 }
 
 void Renderer::State::draw_slick(const Slick& slick) {
@@ -278,8 +287,9 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   block.fluid_size = vector4(guarded.width, guarded.height, guarded.tan_half_x, guarded.tan_half_y);
   const double spacing = scene.particle_spacing > 0.0 ? scene.particle_spacing : 1.0;
   block.fluid = vector4(guarded.focal_pixels, spacing, 0, 0);
+  const SkyMoment light = sky_at(settings.weather, scene.origin, moment.time);
   const Eigen::Vector2d wind = wind_over(moment, waves.waves);
-  block.level = vector4(scene.water_level - camera.eye.z(), std::fmod(moment.time, 3600.0), kVisibility,
+  block.level = vector4(scene.water_level - camera.eye.z(), std::fmod(moment.time, 3600.0), light.visibility / 3.0,
                         breaking_envelope(wind.norm()));
   // The origin of the particles is the middle of the patch, also where the patch follows a ship.
   const Eigen::Vector2d middle_of_patch = (moment.origin - camera.eye).head<2>();
@@ -290,7 +300,9 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   const bool present = !moment.particles.empty() && narrow > 0.0;
   const PatchBlend blend = rim_blend(spacing, narrow);
   block.patch_blend = vector4(present ? 1 : 0, blend.start, blend.full, std::max(folding_of(waves), 1e-6));
-  block.sun = vector4(Eigen::Vector3d(-0.62, -0.48, 0.62).normalized(), 1.25);
+  block.sun = vector4(light.sun, light.sun_strength);
+  block.sunlight = vector4(light.sun_colour, light.daylight);
+  block.weather = vector4(light.clouds, light.visibility, 0, 0);
   const Eigen::Vector2d axis = main_direction(waves.waves);
   block.wave_axis = vector4(axis.x(), axis.y(), mean_square_slope(wind.norm()), wind.norm());
   const Eigen::Vector2d streaks = streak_axis(wind), across(-streaks.y(), streaks.x()), eye = camera.eye.head<2>();
@@ -316,11 +328,6 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
 Renderer::Renderer(const RenderSettings& settings) {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   state_ = std::make_unique<State>(settings);
-  Camera camera;
-  camera.width = settings.width;
-  camera.height = settings.height;
-  state_->upload_view(state_->view_block(camera, {}, {}));
-  state_->detail = std::make_unique<DetailTextures>();
   check_graphics("the start of the renderer");
 }
 
@@ -362,6 +369,7 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   const WaveMoment waves = s.waves_at(camera, moment);
   s.short_waves.set_sea(waves.waves, wind_over(moment, waves.waves));
   s.upload_view(s.view_block(camera, moment, waves));
+  s.renew_sky(moment.time);
   s.opaque.draw(s.place_bodies(camera, moment));
   pass_done();
   s.short_waves.evaluate(moment.time);
@@ -374,9 +382,9 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   pass_done();
   s.fluid.smooth();
   pass_done();
-  s.composite.compose(s.opaque, s.far_sea, s.short_sea, s.fluid, *s.detail, s.slick_map.get());
+  s.composite.compose(s.opaque, s.far_sea, s.short_sea, s.fluid, s.detail, s.slick_map.get());
   pass_done();
-  s.composite.draw_spray(s.drops, *s.detail);
+  s.composite.draw_spray(s.drops, s.detail);
   s.composite.finish();
   pass_done();
   check_graphics("a frame");

@@ -14,6 +14,7 @@
 #include "meshes/mesh_loader.hpp"
 #include "packing/surface_particle.hpp"
 #include "renderer/picture.hpp"
+#include "renderer/sky.hpp"
 #include "renderer/slick_map.hpp"
 #include "values/body.hpp"
 #include "values/scene_info.hpp"
@@ -27,6 +28,7 @@ struct RenderSettings {
   int guard = 96;                  ///< pixels
   Quality quality = Quality::kMedium;
   bool measure_passes = true;  ///< waits for the graphics card between passes, so that the times are true
+  Weather weather = {};
 };
 
 /// What to draw at one instant. Spans must outlive the call.

@@ -7,12 +7,12 @@ namespace pelagos {
 
 /// The uniform block `View` of common.glsl, field by field (std140: vectors of four floats only).
 struct ViewBlock {
-  Eigen::Vector4f right, up, forward, size, fluid_size, fluid, level, patch_box, patch_blend, sun, wave_axis, pattern,
-      sea_grid;
+  Eigen::Vector4f right, up, forward, size, fluid_size, fluid, level, patch_box, patch_blend, sun, sunlight, weather,
+      wave_axis, pattern, sea_grid;
   std::array<Eigen::Vector4f, 3> tile;
   std::array<Eigen::Vector4f, 4> hull, hull_size;
   Eigen::Vector4f slick_map, slick_centre;
 };
-static_assert(sizeof(ViewBlock) == 26 * 4 * sizeof(float));
+static_assert(sizeof(ViewBlock) == 28 * 4 * sizeof(float));
 
 }  // namespace pelagos

@@ -7,12 +7,15 @@ layout(std140, binding = 0) uniform View {
   vec4 size;           // picture: width, height, 1/width, 1/height
   vec4 fluid_size;     // fluid buffers: width, height (guard band included), tangents of their half fields of view
   vec4 fluid;          // focal length of the fluid buffers in pixels, particle spacing, how many hulls, -
-  vec4 level;          // z of the mean water level relative to the eye, display time modulo an hour, visibility (m), envelope
+  vec4 level;          // z of the mean water level relative to the eye, display time modulo an hour, way (m) on which the
+                       // air takes all but 1 / e of the contrast, envelope
                        // of the crests' folding above which they break, in standard deviations
   vec4 patch_box;      // simulated patch: min x, min y, max x, max y relative to the eye
   vec4 patch_blend;    // present (0 or 1), distance from the edge where the patch starts to show, where it is all;
                        // standard deviation of the folding
-  vec4 sun;            // direction to the sun; w: strength
+  vec4 sun;            // direction to the sun; w: strength of its direct light
+  vec4 sunlight;       // colour of that light; w: daylight, 1 by day, 0.05 at night
+  vec4 weather;        // clouds 0..1; visibility (m); unused
   vec4 wave_axis;      // main direction of the waves x, y; slope variance of all short waves; wind speed (m/s)
   vec4 pattern;        // axis of foam streaks x, y; the eye in axes along and across it, modulo the patterns' period
   vec4 sea_grid;       // of the far sea: coarseness, height of the eye that it is for, 2 pi / sectors; slope variance of

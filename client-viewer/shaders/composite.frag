@@ -75,8 +75,8 @@ float foam_cover(vec2 p, float amount, float footprint, float streaky) {
   float streaking = streaky * 0.36 * smoothstep(11.0, 24.0, wave_axis.w);
   if (amount + streaking < 0.01) return 0.0;
   vec2 q = vec2(dot(p, pattern.xy), dot(p, vec2(-pattern.y, pattern.x))) + pattern.zw;
-  float lod = max(log2(footprint * 256.0 / 20.0), 0.0);
-  vec2 pattern_here = textureLod(foam_pattern, q / vec2(20.0, 15.0), lod).rg;
+  float lod = max(log2(footprint * 256.0 / 24.0), 0.0);
+  vec2 pattern_here = textureLod(foam_pattern, q / vec2(36.0, 15.0), lod).rg;
   float coarse = pattern_here.r, thread = pattern_here.g;
   float fine = textureLod(foam_pattern, q.yx / vec2(4.0, 6.0) + 0.3, lod + 1.8).r;
   float grain = 0.55 * coarse + 0.45 * fine;
@@ -175,7 +175,7 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float churned, f
   float crest = clamp(0.25 + 0.30 * height, 0.0, 0.75);
   float through = crest * (0.35 + 0.65 * pow(max(dot(sun.xyz, -v) * 0.5 + 0.5, 0.0), 2.0)) *
                   clamp(0.6 + 1.4 * dot(slope, v.xy), 0.15, 1.0);
-  float lit = 0.55 + 0.75 * sun.w * max(dot(n, sun.xyz), 0.0);
+  vec3 lit = 0.55 * sunlight.w + 0.75 * sun.w * sunlight.rgb * max(dot(n, sun.xyz), 0.0);
   vec3 body = mix(deep, shallow, 0.40 * through) * lit;
   body = mix(body, vec3(0.040, 0.118, 0.140) * lit, 0.62 * churned);  // bubbles throw light back
   // Hull or other bodies below the surface (Beer's law)
@@ -199,11 +199,11 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float churned, f
   vec2 miss = wanted + n.xy / n.z;
   float glint_variance = variance + 0.0025;
   float glint = exp(-0.5 * dot(miss, miss) / glint_variance) / (glint_variance * 4.0 * pow(max(halfway.z, 0.3), 4.0));
-  colour += sun.w * vec3(1.0, 0.9, 0.72) * min(glint * 0.02 * fresnel / max(facing, 0.15), 2.5) * (1.0 - image.a);
+  colour += sun.w * vec3(1.0, 0.9, 0.72) * sunlight.rgb * min(glint * 0.05 * fresnel / max(facing, 0.12), 6.0) * (1.0 - image.a);
   float white = foam_cover(anchored, foam + (1.0 - calm) * detail.foam, footprint, 1.0 - churned);
-  vec3 foam_colour = vec3(0.78, 0.82, 0.84) * (0.42 + 0.50 * sun.w * clamp(dot(n, sun.xyz), 0.0, 1.0));
+  vec3 foam_colour = vec3(0.78, 0.82, 0.84) * (0.42 * sunlight.w + 0.50 * sun.w * sunlight.rgb * clamp(dot(n, sun.xyz), 0.0, 1.0));
   colour = mix(colour, foam_colour, 0.93 * white);
-  float haze = 1.0 - exp(-pow(distance_to / level.z, 1.15));
+  float haze = 1.0 - exp(-distance_to / level.z);
   return mix(colour, haze_colour(d), haze);
 }
 

@@ -10,10 +10,10 @@ void main() {
   if (mirror > 0.5 && height < -0.05) discard;
   vec3 n = normalize(world_normal);
   if (dot(n, world) > 0.0 && mirror < 0.5) n = -n;  // thin plates are seen from both sides
-  float sunlight = max(dot(n, sun.xyz), 0.0);
+  float facing = max(dot(n, sun.xyz), 0.0);
   vec3 sky_light = mix(vec3(0.10, 0.15, 0.18), vec3(0.36, 0.44, 0.54), 0.5 + 0.5 * n.z);
   // a hint of occlusion low on the sides
-  vec3 light = sun.w * vec3(1.0, 0.94, 0.84) * sunlight + sky_light;
+  vec3 light = sun.w * vec3(1.0, 0.94, 0.84) * sunlight.rgb * facing + sunlight.w * sky_light;
   float wet = 1.0 - 0.45 * smoothstep(0.9, 0.1, height);
   vec3 v = -normalize(world);
   float shine = pow(max(dot(reflect(-sun.xyz, n), v), 0.0), 24.0);

@@ -20,5 +20,5 @@ void main() {
   drops = mix(drops, 0.33 * inside * inside, smoothstep(0.7, 2.2, lod));  // too far away to tell drops
   float alpha = strength * soft * mix(mist, drops, grain.z);
   // white water: the sky's light, and the sun's through it
-  picture = vec4(vec3(0.80, 0.84, 0.87) + 0.06 * sun.w * grain.z, alpha);
+  picture = vec4((vec3(0.80, 0.84, 0.87) + 0.06 * sun.w * sunlight.rgb * grain.z) * (0.25 + 0.75 * sunlight.w) * sqrt(sunlight.w), alpha);
 }

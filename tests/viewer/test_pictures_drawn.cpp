@@ -19,7 +19,8 @@ struct Drawn {
 
 class SyntheticSea {
  public:
-  explicit SyntheticSea(int guard) : renderer_({kWidth, kHeight, guard, Quality::kMedium, true}), guard_(guard) {
+  explicit SyntheticSea(int guard, const Weather& weather = {})
+      : renderer_({kWidth, kHeight, guard, Quality::kMedium, true, weather}), guard_(guard) {
     set_scene(renderer_, synthetic_scene(), kAssets / "meshes");
     fill_synthetic_frame(12.0, frame_);
   }
@@ -171,6 +172,21 @@ TEST_F(Graphics, APatchApartFromTheSeaAroundMakesNoWall) {
     return count;
   };
   EXPECT_LE(standing(low), standing(level) + kWidth * kHeight / 400);
+}
+
+TEST_F(Graphics, NightIsDarkAndFogHidesTheHorizon) {
+  const Picture day = SyntheticSea(32).draw("port").picture;
+  // 23:00 at the origin of the synthetic scene, latitude and longitude 0
+  const Picture night = SyntheticSea(32, {.utc = 1'790'031'600.0}).draw("port").picture;
+  const Picture fog = SyntheticSea(32, {.visibility = 300.0}).draw("port").picture;
+  EXPECT_LT(mean_colour(night, 1, 0, kHeight), 0.35 * mean_colour(day, 1, 0, kHeight));
+  EXPECT_GT(mean_colour(night, 1, 0, kHeight), 3.0) << "not black";
+  // Rows above and below the horizon, which lies at a third of the height
+  const auto step = [](const Picture& picture) {
+    return std::abs(mean_colour(picture, 0, 30, 36) - mean_colour(picture, 0, 62, 68));
+  };
+  EXPECT_GT(step(day), 20.0);
+  EXPECT_LT(step(fog), 0.3 * step(day));
 }
 
 TEST_F(Graphics, SameFrameGivesTheSamePicture) {

@@ -36,8 +36,8 @@ TEST(Rig, ShippedRigHasTheBridgeChannels) {
 
 TEST(Rig, ShippedRigHasTheViewsOfTheSheet) {
   const Rig rig = load_rig(test::source_path("assets/rigs/views.json"));
-  for (const char* name :
-       {"bridge", "low", "bird", "quarter", "bow", "astern", "towards_sun", "rim", "lighthouse", "harbour"})
+  for (const char* name : {"bridge", "low", "bird", "quarter", "bow", "astern", "towards_sun", "rim", "night", "fog",
+                           "lighthouse", "harbour"})
     EXPECT_NE(rig.find(name), nullptr) << name;
   EXPECT_EQ(rig.find("harbour")->mount.body, 0U) << "a camera on shore";
 }

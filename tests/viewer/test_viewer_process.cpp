@@ -211,6 +211,11 @@ TEST_F(ViewerProcess, RefusesWhatItCannotUse) {
   EXPECT_EQ(ChildProcess(command({"--channel", "mast"})).wait_for_end(), 2);
   EXPECT_EQ(ChildProcess(command({"--channel", "port", "--size", "huge"})).wait_for_end(), 2);
   EXPECT_EQ(ChildProcess(command({"--channel", "port", "--rig", "none.json"})).wait_for_end(), 1);
+  for (const char* utc : {"tomorrow", "2026-02-30T12:00", "2026-06-21", "2026-06-21T24:00", "1949-12-31T12:00",
+                          "2026-06-21T12:00+02", "2026-06-21T12:00:61Z", "2026-06-21T12:00 "})
+    EXPECT_EQ(ChildProcess(command({"--channel", "port", "--utc", utc})).wait_for_end(), 2) << utc;
+  EXPECT_EQ(ChildProcess(command({"--channel", "port", "--cloud", "9"})).wait_for_end(), 2);
+  EXPECT_EQ(ChildProcess(command({"--channel", "port", "--visibility", "0"})).wait_for_end(), 2);
   EXPECT_EQ(ChildProcess({PELAGOS_VIEWER}).wait_for_end(), 2);
   EXPECT_EQ(ChildProcess({PELAGOS_VIEWER, "--version"}).wait_for_end(), 0);
   EXPECT_EQ(ChildProcess({PELAGOS_VIEWER, "--help"}).wait_for_end(), 0);
