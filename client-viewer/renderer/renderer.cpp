@@ -13,6 +13,7 @@
 #include "renderer/loose_water.hpp"
 #include "renderer/mesh.hpp"
 #include "renderer/opaque.hpp"
+#include "renderer/shadow.hpp"
 #include "renderer/short_sea.hpp"
 #include "renderer/short_waves.hpp"
 #include "renderer/view_block.hpp"
@@ -23,6 +24,7 @@
 namespace pelagos {
 namespace {
 
+constexpr GLuint kShadowUnit = 12;  // of textures, in opaque.frag and composite.frag
 constexpr float kSprayThreshold = 0.5F;
 constexpr float kLooseSpray = 0.75F;  // strength of the spray of clumps, whose particles have neighbours
 // Pixels that the particles of a picture may cover, in pictures: a frame of huge ellipsoids must not take minutes. The
@@ -130,11 +132,14 @@ double fluid_scale(Quality quality) {
   return 0.5;
 }
 
+int shadow_texels(Quality quality) { return quality == Quality::kLow ? 256 : 1024; }
+
 struct Renderer::State {
   explicit State(const RenderSettings& s)
       : settings(s),
         size(size_for(s)),
         opaque(s.width, s.height, s.quality == Quality::kLow ? 4 : 2),
+        shadow(shadow_texels(s.quality)),
         far_sea(s.width, s.height,
                 s.quality == Quality::kLow    ? 1.6
                 : s.quality == Quality::kHigh ? 0.7
@@ -165,6 +170,7 @@ struct Renderer::State {
   FluidSize size;
   Buffer view;
   OpaquePass opaque;
+  ShadowPass shadow;
   FarSeaPass far_sea;
   FluidPass fluid;
   CompositePass composite;
@@ -302,6 +308,8 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   block.patch_blend = vector4(present ? 1 : 0, blend.start, blend.full, std::max(folding_of(waves), 1e-6));
   block.sun = vector4(light.sun, light.sun_strength);
   block.sunlight = vector4(light.sun_colour, light.daylight);
+  const ShadowPlace shade = shadow_place(place_bodies(camera, moment), light.sun, shadow_texels(settings.quality));
+  block.shadow = {shade.u.cast<float>(), shade.v.cast<float>(), vector4(shade.bias, shade.middle, shade.scale, 0)};
   block.weather = vector4(light.clouds, light.visibility, 0, 0);
   const Eigen::Vector2d axis = main_direction(waves.waves);
   block.wave_axis = vector4(axis.x(), axis.y(), mean_square_slope(wind.norm()), wind.norm());
@@ -370,7 +378,10 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   s.short_waves.set_sea(waves.waves, wind_over(moment, waves.waves));
   s.upload_view(s.view_block(camera, moment, waves));
   s.renew_sky(moment.time);
-  s.opaque.draw(s.place_bodies(camera, moment));
+  const std::vector<PlacedMesh> placed = s.place_bodies(camera, moment);
+  s.shadow.draw(placed);
+  s.shadow.map().bind(kShadowUnit);
+  s.opaque.draw(placed);
   pass_done();
   s.short_waves.evaluate(moment.time);
   s.short_sea.upload(s.short_waves);

@@ -67,8 +67,9 @@ double shortest_of(std::span<const MomentWave> components) {
 /// How white a place is: its crest broke, and the foam stays behind the crest and fades. `fold` turns backwards in
 /// time, and has the angle 0 on a crest.
 float foam_of(std::complex<float> fold, float breaks_at) {
-  const float envelope = std::abs(fold);
-  if (envelope < breaks_at) return 0.0F;
+  const float square = fold.real() * fold.real() + fold.imag() * fold.imag();
+  if (square < breaks_at * breaks_at) return 0.0F;
+  const float envelope = std::sqrt(square);
   float behind = 0.6F - std::arg(fold);  // the front of a breaker is a little ahead of its crest
   if (behind < 0.0F) behind += static_cast<float>(kTwoPi);
   const float breaking = std::min((envelope - breaks_at) / 0.6F, 1.0F), front = std::min(behind / 0.5F, 1.0F);
@@ -179,7 +180,7 @@ void ShortWaves::fill_cells(std::size_t tile, const Power& power) {
     // surface tension: 0.074 N/m over 1025 kg/m^3
     const double omega = std::sqrt(kStandardGravity * size + 7.2e-5 * size * size * size);
     cells_[tile].push_back({static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(opposite),
-                            static_cast<float>(k.x()), static_cast<float>(k.y()), omega,
+                            static_cast<float>(k.x()), static_cast<float>(k.y()), static_cast<float>(size), omega,
                             amplitude * random_[tile][at]});
     folding += power[at];
   });
@@ -191,18 +192,23 @@ void ShortWaves::evaluate(double time) {
 }
 
 void ShortWaves::evaluate_tile(std::size_t tile, double time) {
-  const std::complex<float> i(0.0F, 1.0F);
   const bool foams = tile != 2 && folding_[tile] > 0.0;
   std::fill(slopes_.begin(), slopes_.end(), 0.0F);
   std::fill(folds_.begin(), folds_.end(), 0.0F);
   for (const Cell& cell : cells_[tile]) {
-    const auto phase = static_cast<float>(std::remainder(-cell.omega * time, kTwoPi));
-    const std::complex<float> height = cell.height * std::complex<float>(std::cos(phase), std::sin(phase));
-    // Two real fields in one sum: each is made symmetric, and the second one is turned by i.
-    const std::complex<float> x = 0.5F * i * cell.kx * height, y = 0.5F * i * cell.ky * height;
-    slopes_[cell.index] += x + i * y;
-    slopes_[cell.opposite] += std::conj(x) + i * std::conj(y);
-    if (foams) folds_[cell.index] += std::hypot(cell.kx, cell.ky) * height;
+    // Real numbers throughout: products of std::complex look for infinities, which takes most of the time here.
+    const double turns = cell.omega / kTwoPi * time;
+    const auto phase = static_cast<float>(-kTwoPi * (turns - static_cast<double>(static_cast<std::int64_t>(turns))));
+    const float c = std::cos(phase), s = std::sin(phase);
+    const float re = cell.height.real() * c - cell.height.imag() * s;
+    const float im = cell.height.real() * s + cell.height.imag() * c;
+    // The slopes along x and y have the spectra X = i kx h and Y = i ky h. Each is made symmetric, so that its sum is
+    // real, and both are summed at once as X + i Y.
+    const float x_re = 0.5F * cell.kx * re, x_im = 0.5F * cell.kx * im;
+    const float y_re = 0.5F * cell.ky * re, y_im = 0.5F * cell.ky * im;
+    slopes_[cell.index] += std::complex<float>(-x_im - y_re, x_re - y_im);
+    slopes_[cell.opposite] += std::complex<float>(y_re - x_im, -x_re - y_im);
+    if (foams) folds_[cell.index] += std::complex<float>(cell.number * re, cell.number * im);
   }
   fourier_.sum(slopes_);
   if (foams) fourier_.sum(folds_);
@@ -210,7 +216,8 @@ void ShortWaves::evaluate_tile(std::size_t tile, double time) {
   const float scale = foams ? 1.0F / static_cast<float>(folding_[tile]) : 0.0F;
   for (std::size_t n = 0; n < kTexels; ++n) {
     const float x = slopes_[n].real(), y = slopes_[n].imag();
-    tiles_[tile].texels[n] = {x, y, x * x + y * y, foams ? foam_of(scale * folds_[n], breaks_at) : 0.0F};
+    const std::complex<float> fold(scale * folds_[n].real(), scale * folds_[n].imag());
+    tiles_[tile].texels[n] = {x, y, x * x + y * y, foams ? foam_of(fold, breaks_at) : 0.0F};
   }
 }
 

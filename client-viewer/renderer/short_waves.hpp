@@ -47,7 +47,7 @@ class ShortWaves {
  private:
   struct Cell {
     std::uint32_t index = 0, opposite = 0;  ///< of the wave number in the grid, and of its negative
-    float kx = 0, ky = 0;                   ///< rad/m
+    float kx = 0, ky = 0, number = 0;       ///< rad/m; number: their length
     double omega = 0;                       ///< rad/s
     std::complex<float> height;             ///< m, amplitude with its phase at time zero
   };

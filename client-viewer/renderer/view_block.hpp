@@ -11,8 +11,9 @@ struct ViewBlock {
       wave_axis, pattern, sea_grid;
   std::array<Eigen::Vector4f, 3> tile;
   std::array<Eigen::Vector4f, 4> hull, hull_size;
+  std::array<Eigen::Vector4f, 3> shadow;
   Eigen::Vector4f slick_map, slick_centre;
 };
-static_assert(sizeof(ViewBlock) == 28 * 4 * sizeof(float));
+static_assert(sizeof(ViewBlock) == 31 * 4 * sizeof(float));
 
 }  // namespace pelagos

@@ -25,6 +25,7 @@ layout(std140, binding = 0) uniform View {
   vec4 hull[4];        // bodies that leave a wake: x, y relative to the eye, cos and sin of the way that they go
   vec4 hull_size[4];   // half length, half beam (0: none), speed through the water (m/s), path curvature (1/m, positive to
                        // port)
+  vec4 shadow[3];      // map of shadows: a place to its u and to its v; bias (m), middle and scale of its depths
   vec4 slick_map;      // map of the oil film: corner x, y relative to the eye, 1 / length of a side, present (0 or 1)
   vec4 slick_centre;   // middle of the oil: x, y relative to the eye; reach of its elements (m); unused
 };

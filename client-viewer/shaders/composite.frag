@@ -10,6 +10,7 @@ layout(binding = 5) uniform sampler2D sky;
 layout(binding = 7) uniform sampler2D foam_pattern;
 layout(binding = 8) uniform sampler2D film_map;
 layout(binding = 9) uniform sampler2D short_sea[3];
+layout(binding = 12) uniform sampler2D shadow_map;
 layout(location = 0) out vec4 picture;
 layout(location = 1) out float scene_inverse;
 
@@ -67,6 +68,7 @@ Detail short_waves(vec2 p, float footprint) {
   return detail;
 }
 
+#include "shadow.glsl"
 #include "wake.glsl"
 
 // Share of a place that foam covers, where `amount` (0..1) of it is there: patches that break up as they fade, and in
@@ -175,7 +177,8 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float churned, f
   float crest = clamp(0.25 + 0.30 * height, 0.0, 0.75);
   float through = crest * (0.35 + 0.65 * pow(max(dot(sun.xyz, -v) * 0.5 + 0.5, 0.0), 2.0)) *
                   clamp(0.6 + 1.4 * dot(slope, v.xy), 0.15, 1.0);
-  vec3 lit = 0.55 * sunlight.w + 0.75 * sun.w * sunlight.rgb * max(dot(n, sun.xyz), 0.0);
+  float sun_here = sun_at(shadow_map, p);
+  vec3 lit = 0.55 * sunlight.w + 0.75 * sun_here * sun.w * sunlight.rgb * max(dot(n, sun.xyz), 0.0);
   vec3 body = mix(deep, shallow, 0.40 * through) * lit;
   body = mix(body, vec3(0.040, 0.118, 0.140) * lit, 0.62 * churned);  // bubbles throw light back
   // Hull or other bodies below the surface (Beer's law)
@@ -199,9 +202,9 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float churned, f
   vec2 miss = wanted + n.xy / n.z;
   float glint_variance = variance + 0.0025;
   float glint = exp(-0.5 * dot(miss, miss) / glint_variance) / (glint_variance * 4.0 * pow(max(halfway.z, 0.3), 4.0));
-  colour += sun.w * vec3(1.0, 0.9, 0.72) * sunlight.rgb * min(glint * 0.05 * fresnel / max(facing, 0.12), 6.0) * (1.0 - image.a);
+  colour += sun_here * sun.w * vec3(1.0, 0.9, 0.72) * sunlight.rgb * min(glint * 0.05 * fresnel / max(facing, 0.12), 6.0) * (1.0 - image.a);
   float white = foam_cover(anchored, foam + (1.0 - calm) * detail.foam, footprint, 1.0 - churned);
-  vec3 foam_colour = vec3(0.78, 0.82, 0.84) * (0.42 * sunlight.w + 0.50 * sun.w * sunlight.rgb * clamp(dot(n, sun.xyz), 0.0, 1.0));
+  vec3 foam_colour = vec3(0.78, 0.82, 0.84) * (0.42 * sunlight.w + 0.50 * sun_here * sun.w * sunlight.rgb * clamp(dot(n, sun.xyz), 0.0, 1.0));
   colour = mix(colour, foam_colour, 0.93 * white);
   float haze = 1.0 - exp(-distance_to / level.z);
   return mix(colour, haze_colour(d), haze);

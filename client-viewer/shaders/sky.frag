@@ -63,7 +63,7 @@ vec3 clear_sky(vec3 d) {
   vec3 rgb = mat3(3.2406, -0.9689, 0.0557, -1.5372, 1.8758, -0.2040, -0.4986, 0.0415, 1.0570) * xyz;
   // The model's white is the sun's, warmer than the screen's, and its low sun turns green.
   float low_sun = 1.0 - smoothstep(0.03, 0.35, s.z);
-  rgb = max(rgb, vec3(0.0)) * mix(vec3(0.74, 0.96, 1.20), vec3(1.02, 0.86, 1.02), low_sun);
+  rgb = max(rgb, vec3(0.0)) * mix(vec3(0.70, 0.96, 1.14), vec3(1.02, 0.86, 1.02), low_sun);
   rgb = mix(rgb, vec3(dot(rgb, vec3(0.3, 0.5, 0.2))), 0.12 * low_sun);
   // After sunset: blue, with a glow over the place where the sun has gone down.
   vec3 after = sunlight.w * mix(vec3(0.16, 0.27, 0.52), vec3(0.42, 0.55, 0.78), exp(-4.0 * d.z));
@@ -85,7 +85,7 @@ void main() {
   float cloud = smoothstep(rim, rim + 0.19, cover) * smoothstep(0.004, 0.05, d.z);
   cloud = max(cloud, smoothstep(0.8, 1.0, weather.x) * smoothstep(0.004, 0.05, d.z));
   float streaks = cloud_noise(low * vec2(0.35, 1.4) * 0.7 + 40.0 + 0.6 * warp, 6);
-  float thin = 0.55 * smoothstep(0.0, 0.2, weather.x) * smoothstep(0.42, 0.80, streaks) * smoothstep(0.02, 0.14, d.z);
+  float thin = 0.40 * smoothstep(0.0, 0.2, weather.x) * smoothstep(0.42, 0.80, streaks) * smoothstep(0.02, 0.14, d.z);
   float towards = max(dot(d, sun.xyz), 0.0), day = sunlight.w;
   float overcast = smoothstep(0.6, 1.0, weather.x);
   vec3 lit = day * mix(vec3(1.08, 1.06, 1.02), vec3(0.62, 0.65, 0.69), overcast) +

@@ -43,10 +43,10 @@ void add_hull(int i, vec2 p, float footprint, inout Wake wake) {
   // the bow wave breaks along two arms, from the stem outwards and aft
   float aft_of_bow = half_length * 0.96 - q.x;
   if (aft_of_bow > -2.0) {
-    float arm = abs(q.y) - half_beam * (along > 0.96 ? 0.0 : entry) - 0.3 - 0.22 * max(aft_of_bow, 0.0);
+    float arm = abs(q.y) - half_beam * entry - 0.3 - 0.22 * max(aft_of_bow, 0.0);
     float width = 0.7 + 0.07 * max(aft_of_bow, 0.0);
     float inner = arm < 0.0 ? 2.2 : 1.0;  // the foam trails off inwards
-    foam += go * 1.2 * exp(-arm * arm / (width * width * inner * inner)) * exp(-max(aft_of_bow, 0.0) / (3.0 + 2.0 * speed));
+    foam += go * 1.2 * smoothstep(-2.0, 1.5, aft_of_bow) * exp(-arm * arm / (width * width * inner * inner)) * exp(-max(aft_of_bow, 0.0) / (3.0 + 2.0 * speed));
   }
   float astern = -q.x - half_length * 0.94;
   if (astern > -1.5) {

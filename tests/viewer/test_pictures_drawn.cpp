@@ -174,6 +174,33 @@ TEST_F(Graphics, APatchApartFromTheSeaAroundMakesNoWall) {
   EXPECT_LE(standing(low), standing(level) + kWidth * kHeight / 400);
 }
 
+/// A roof over the water: its shadow lies where the sun's rays say, and is gone where clouds hide the sun.
+TEST_F(Graphics, BodiesShadeTheWater) {
+  const auto brightness = [](double cloud_oktas, bool roof) {
+    Renderer renderer({kWidth, kHeight, 32, Quality::kMedium, true, {.cloud_oktas = cloud_oktas}});
+    SceneInfo scene = synthetic_scene();
+    scene.sea = WaveField({}, 0.0);
+    renderer.set_scene(scene);
+    renderer.set_meshes({{1, std::make_shared<const MeshData>(draw_box({-10, -10, 0}, {10, 10, 1}))}});
+    // The sun is at 38 degrees over the west-south-west: from 20 m up the shadow falls 25.3 m to the north-east.
+    BodyState body;
+    body.body = 1;
+    const Eigen::Vector3d place(20.0, 15.5, 0.0), sun = sky_at({}, {}, 0.0).sun;
+    body.position = place + 20.0 / sun.z() * sun;
+    Channel channel;
+    channel.mount.eye = place + Eigen::Vector3d(0, -16, 12);
+    channel.yaw_deg = -90;  // to the north
+    channel.pitch_deg = -36.9;
+    channel.horizontal_fov_deg = 20.0;
+    SeaMoment moment;
+    moment.bodies = std::span(&body, roof ? 1 : 0);
+    renderer.draw(camera_for(channel, {}, kWidth, kHeight).value(), moment);
+    return mean_colour(renderer.read_picture(), 1, kHeight / 3, 2 * kHeight / 3);
+  };
+  EXPECT_LT(brightness(0.0, true), 0.93 * brightness(0.0, false));
+  EXPECT_NEAR(brightness(8.0, true), brightness(8.0, false), 1.0);
+}
+
 TEST_F(Graphics, NightIsDarkAndFogHidesTheHorizon) {
   const Picture day = SyntheticSea(32).draw("port").picture;
   // 23:00 at the origin of the synthetic scene, latitude and longitude 0
