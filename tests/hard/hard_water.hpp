@@ -31,7 +31,7 @@ struct Outcome {
   [[nodiscard]] bool sound() const { return not_finite == 0 && outside == 0; }
 };
 
-/// Water in a tank advanced step by step with a solver by its name, and what became of it.
+/// Water in a patch advanced step by step with a solver by its name, and what became of it.
 class HardWater {
  public:
   /// @param layers  depth that settings and steps suit, as the server has them; 0: shallow
@@ -75,7 +75,7 @@ class HardWater {
   double step_factor_;  ///< on every longest step
 };
 
-/// A tank from the origin, m, with the named solver at a tolerance for both constraints; viscosity as the server's
+/// A patch from the origin, m, with the named solver at a tolerance for both constraints; viscosity as the server's
 /// default for it.
 [[nodiscard]] FluidParameters tank_with(const std::string& solver, const std::array<double, 3>& size, double spacing,
                                         double tolerance = 3e-4);
@@ -84,7 +84,7 @@ class HardWater {
 [[nodiscard]] std::vector<Float4> block(const std::array<int, 3>& n, double spacing,
                                         const std::array<double, 3>& first);
 
-/// A dam break of about 2,000 particles: 16 x 8 x 16 in a tank three times as long, spacing 0.05 m.
+/// A dam break of about 2,000 particles: 16 x 8 x 16 in a patch three times as long, spacing 0.05 m.
 [[nodiscard]] HardWater small_dam(const std::string& solver, double tolerance = 3e-4);
 
 /// The same, its upper quarter oil of so many times the water's density.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
 
-struct Tank {
+struct HardPatch {
   const char* name;
   std::array<Edge, 3> edges;
 };
@@ -20,10 +20,10 @@ struct Fault {
   const char* name;
   void (*inject)(FluidParticles&, std::size_t);
 };
-constexpr Tank kTanks[] = {{"Walls", {Edge::kWall, Edge::kWall, Edge::kWall}},
-                           {"PeriodicX", {Edge::kPeriodic, Edge::kWall, Edge::kWall}},
-                           {"MirrorY", {Edge::kWall, Edge::kMirror, Edge::kWall}},
-                           {"Mixed", {Edge::kPeriodic, Edge::kMirror, Edge::kMirror}}};
+constexpr HardPatch kPatches[] = {{"Walls", {Edge::kWall, Edge::kWall, Edge::kWall}},
+                                  {"PeriodicX", {Edge::kPeriodic, Edge::kWall, Edge::kWall}},
+                                  {"MirrorY", {Edge::kWall, Edge::kMirror, Edge::kWall}},
+                                  {"Mixed", {Edge::kPeriodic, Edge::kMirror, Edge::kMirror}}};
 const Fault kFaults[] = {
     {"NanPosition", [](FluidParticles& p, std::size_t i) { p.position[i].x = kNan; }},
     {"NanHeight", [](FluidParticles& p, std::size_t i) { p.position[i].z = kNan; }},
@@ -38,15 +38,15 @@ class HardFault : public testing::TestWithParam<std::tuple<std::string, int, int
 INSTANTIATE_TEST_SUITE_P(All, HardFault,
                          testing::Combine(testing::ValuesIn(kSolvers), testing::Range(0, 4), testing::Range(0, 8)),
                          [](const auto& test) {
-                           return std::get<0>(test.param) + kTanks[std::get<1>(test.param)].name +
+                           return std::get<0>(test.param) + kPatches[std::get<1>(test.param)].name +
                                   kFaults[std::get<2>(test.param)].name;
                          });
 
 TEST_P(HardFault, IsReportedInThatStepAndTheRunEndsCleanly) {
-  const auto& [solver, tank, fault] = GetParam();
+  const auto& [solver, patch, fault] = GetParam();
   const double d = 0.05;
   FluidParameters p = tank_with(solver, {0.4, 0.4, 0.6}, d);
-  p.edges = kTanks[tank].edges;
+  p.edges = kPatches[patch].edges;
   HardWater water(p, block({7, 7, 6}, d, {d, d, d}), 2);
   for (int n = 0; n < 3; ++n) ASSERT_EQ(water.step(0.004).not_finite, 0U);
   for (std::size_t i = 0; i < water.state().particles.count; ++i) {

@@ -104,16 +104,16 @@ TEST(BoundaryVolumes, OfAPlateOfTwoLayersAreFeltAsOneLayerIs) {
   }
 }
 
-constexpr double kTankSpacing = 0.05, kTankSupport = 0.1;
-const Region kTank{{0, 0, 0}, {0.5F, 0.4F, 0.3F}};
+constexpr double kPatchSpacing = 0.05, kPatchSupport = 0.1;
+const Region kPatch{{0, 0, 0}, {0.5F, 0.4F, 0.3F}};
 constexpr Edge kWall = Edge::kWall, kMirror = Edge::kMirror, kPeriodic = Edge::kPeriodic;
 
-TEST(SampleTank, WithWallsAllAroundIsTheSampledBox) {
+TEST(SamplePatchWalls, WithWallsAllAroundIsTheSampledBox) {
   TaskPool pool(2);
-  std::vector<Float4> box = sample_box(kTank, kTankSpacing);
-  assign_boundary_volumes(pool, kTankSupport, box);
+  std::vector<Float4> box = sample_box(kPatch, kPatchSpacing);
+  assign_boundary_volumes(pool, kPatchSupport, box);
   const std::vector<Float4> samples =
-      sample_patch_walls(pool, kTank, {kWall, kWall, kWall}, kTankSpacing, kTankSupport);
+      sample_patch_walls(pool, kPatch, {kWall, kWall, kWall}, kPatchSpacing, kPatchSupport);
   ASSERT_EQ(samples.size(), box.size());
   for (std::size_t k = 0; k < box.size(); ++k) {
     const Double3 off = minus(as_double(samples[k]), as_double(box[k]));
@@ -122,19 +122,19 @@ TEST(SampleTank, WithWallsAllAroundIsTheSampledBox) {
   }
 }
 
-TEST(SampleTank, WithoutWallsIsEmpty) {
+TEST(SamplePatchWalls, WithoutWallsIsEmpty) {
   TaskPool pool(2);
-  EXPECT_TRUE(sample_patch_walls(pool, kTank, {kMirror, kPeriodic, kMirror}, kTankSpacing, kTankSupport).empty());
+  EXPECT_TRUE(sample_patch_walls(pool, kPatch, {kMirror, kPeriodic, kMirror}, kPatchSpacing, kPatchSupport).empty());
 }
 
-TEST(SampleTank, AFloorGoesOnBeyondMirroredAndPeriodicFaces) {
+TEST(SamplePatchWalls, AFloorGoesOnBeyondMirroredAndPeriodicFaces) {
   TaskPool pool(2);
   const std::vector<Float4> samples =
-      sample_patch_walls(pool, kTank, {kMirror, kPeriodic, kWall}, kTankSpacing, kTankSupport);
+      sample_patch_walls(pool, kPatch, {kMirror, kPeriodic, kWall}, kPatchSpacing, kPatchSupport);
   // Floor and lid, two intervals (one support radius) beyond each side: (10 + 1 + 4) x (8 + 1 + 4) samples each.
   EXPECT_EQ(samples.size(), 2U * 15U * 13U);
   for (const Float4& p : samples) {
-    EXPECT_TRUE(p.z == kTank.min[2] || p.z == kTank.max[2]);
+    EXPECT_TRUE(p.z == kPatch.min[2] || p.z == kPatch.max[2]);
     EXPECT_GE(p.x, -0.101F);
     EXPECT_LE(p.x, 0.601F);
     // All have the same surroundings: the volume of an endless plane's sample.
@@ -142,11 +142,11 @@ TEST(SampleTank, AFloorGoesOnBeyondMirroredAndPeriodicFaces) {
   }
 }
 
-TEST(SampleTank, AChannelIsTheSameAllAlong) {
+TEST(SamplePatchWalls, AChannelIsTheSameAllAlong) {
   TaskPool pool(2);
   // Periodic along x: floor, lid and two side walls; volumes depend on y and z only.
   const std::vector<Float4> samples =
-      sample_patch_walls(pool, kTank, {kPeriodic, kWall, kWall}, kTankSpacing, kTankSupport);
+      sample_patch_walls(pool, kPatch, {kPeriodic, kWall, kWall}, kPatchSpacing, kPatchSupport);
   std::map<std::array<int, 2>, std::vector<float>> rows;
   for (const Float4& p : samples)
     rows[{static_cast<int>(std::lround(p.y / 0.05F)), static_cast<int>(std::lround(p.z / 0.05F))}].push_back(p.w);

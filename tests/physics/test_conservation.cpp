@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Conservation,
                          [](const testing::TestParamInfo<Case>& c) { return c.param.name; });
 
 FluidParameters parameters_of(const Case& c, const Double3& size) {
-  FluidParameters parameters = tank(size, kSpacing);
+  FluidParameters parameters = patch_parameters(size, kSpacing);
   parameters.scheme = c.scheme;
   parameters.density.method = parameters.divergence.method = c.method;
   parameters.viscosity = c.viscosity;
@@ -66,7 +66,7 @@ void expect_all_there(const WaterScene& water, std::size_t count) {
   for (const std::size_t place : water.place_of_id()) ASSERT_LT(place, count) << "one is lost, another doubled";
 }
 
-/// A ball of water about the origin of its tank that spins about z at 3 rad/s and pulsates out of disorder.
+/// A ball of water about the origin of its patch that spins about z at 3 rad/s and pulsates out of disorder.
 std::unique_ptr<WaterScene> spinning_ball(const Case& c) {
   FluidParameters parameters = parameters_of(c, {4, 4, 4});
   for (std::size_t a = 0; a < 3; ++a) {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "tank_scene.hpp"
+#include "patch_scene.hpp"
 
 namespace pelagos::test {
 namespace {
@@ -16,7 +16,7 @@ constexpr double kSpacing = 0.05, kVolume = kSpacing * kSpacing * kSpacing;
 /// Half precision holds a gradient to 2^-11; sums of about 30 of them, of mixed signs, keep that share of the sum of
 /// their sizes.
 constexpr double kCacheError = 6e-4;
-const Region kTank{{0, 0, 0}, {0.5F, 0.4F, 0.45F}};
+const Region kPatch{{0, 0, 0}, {0.5F, 0.4F, 0.45F}};
 constexpr Edge kWall = Edge::kWall, kMirror = Edge::kMirror, kPeriodic = Edge::kPeriodic;
 using Double33 = std::array<Double3, 3>;
 
@@ -27,7 +27,7 @@ std::vector<float> random_pressure(std::size_t count, std::uint32_t seed) {
   return pressure;
 }
 
-/// Edges of a tank, whether its walls are sampled, and a name.
+/// Edges of a patch, whether its walls are sampled, and a name.
 struct Case {
   const char* name;
   std::array<Edge, 3> edges;
@@ -35,11 +35,11 @@ struct Case {
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
-/// A tank filled with particles in disorder.
-std::unique_ptr<TankScene> filled(TaskPool& pool, const Case& c, std::uint32_t seed) {
+/// A patch filled with particles in disorder.
+std::unique_ptr<PatchScene> filled(TaskPool& pool, const Case& c, std::uint32_t seed) {
   std::vector<Float4> walls;
-  if (c.sampled) walls = sample_patch_walls(pool, kTank, c.edges, kSpacing, 2.0 * kSpacing);
-  return std::make_unique<TankScene>(pool, kTank, c.edges, fill_tank(kTank, kSpacing, 0.25, seed), walls, kSpacing);
+  if (c.sampled) walls = sample_patch_walls(pool, kPatch, c.edges, kSpacing, 2.0 * kSpacing);
+  return std::make_unique<PatchScene>(pool, kPatch, c.edges, fill_patch(kPatch, kSpacing, 0.25, seed), walls, kSpacing);
 }
 
 class CorrectedPasses : public testing::TestWithParam<Case> {};
@@ -58,7 +58,7 @@ struct Pair {
   std::size_t j;
   Double3 x, g;
 };
-std::vector<Pair> fluid_row(const TankScene& s, std::size_t i) {
+std::vector<Pair> fluid_row(const PatchScene& s, std::size_t i) {
   const ReferenceSpline kernel{s.radius};
   std::vector<Pair> row;
   for_each_neighbor(s.fluid_list, i, [&](std::size_t j) {
@@ -69,7 +69,7 @@ std::vector<Pair> fluid_row(const TankScene& s, std::size_t i) {
   });
   return row;
 }
-std::vector<Pair> wall_row(const TankScene& s, std::size_t i) {
+std::vector<Pair> wall_row(const PatchScene& s, std::size_t i) {
   const ReferenceSpline kernel{s.radius};
   std::vector<Pair> row;
   for_each_neighbor(s.wall_list, i, [&](std::size_t b) {
@@ -81,14 +81,14 @@ std::vector<Pair> wall_row(const TankScene& s, std::size_t i) {
   return row;
 }
 
-Double33 correction(const TankScene& s, std::size_t i) {
+Double33 correction(const PatchScene& s, std::size_t i) {
   const Float4 &a = s.corrections.first[i], &b = s.corrections.second[i];
   const auto d = [](float v) { return static_cast<double>(v); };
   return {{{d(a.x), d(a.y), d(a.z)}, {d(a.y), d(a.w), d(b.x)}, {d(a.z), d(b.x), d(b.y)}}};
 }
 Double3 multiply(const Double33& m, const Double3& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
 
-Double33 moments(const TankScene& s, std::size_t i) {
+Double33 moments(const PatchScene& s, std::size_t i) {
   Double33 m{};
   for (const auto& row : {fluid_row(s, i), wall_row(s, i)})
     for (const Pair& pair : row)
@@ -106,7 +106,7 @@ TEST_P(CorrectedPasses, ListsHoldWhatIsWithinReachBeyondTheFacesToo) {
   for (std::size_t j = 0; j < scene->count; ++j) {
     repeats[j] = {as_double(scene->position[j])};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double low = static_cast<double>(kTank.min[axis]), high = static_cast<double>(kTank.max[axis]);
+      const double low = static_cast<double>(kPatch.min[axis]), high = static_cast<double>(kPatch.max[axis]);
       const std::vector<Double3> so_far = repeats[j];
       for (Double3 p : so_far) {
         const double x = p[axis];
@@ -153,7 +153,7 @@ TEST_P(CorrectedPasses, CorrectionsInvertTheMomentMatrix) {
         ASSERT_NEAR(product, row == column ? 1.0 : 0.0, kCacheError) << i;
       }
   }
-  // At sampled walls the correction ends: some two layers of a small tank.
+  // At sampled walls the correction ends: some two layers of a small patch.
   EXPECT_GT(full, GetParam().sampled ? scene->count / 12 : scene->count * 8 / 10);
 }
 
@@ -181,7 +181,7 @@ Float4 linear_velocity(const Float4& x) {
 constexpr double kTrace = 1.0 - 0.75 + 0.5;
 
 /// sum |v_ij| |B g|: what rounding of the gradients is a share of.
-double rate_size(const TankScene& s, std::size_t i, double strain) {
+double rate_size(const PatchScene& s, std::size_t i, double strain) {
   const Double33 b = correction(s, i);
   double size = 0.0;
   for (const auto& row : {fluid_row(s, i), wall_row(s, i)})
@@ -333,7 +333,7 @@ TEST(CorrectedGradients, VelocityGradientsOfLinearVelocitiesAreExact) {
   }
 }
 
-std::vector<Float4> filter_change(TaskPool& pool, const TankScene& scene, const std::vector<Float4>& velocity) {
+std::vector<Float4> filter_change(TaskPool& pool, const PatchScene& scene, const std::vector<Float4>& velocity) {
   const std::vector<Float4> v = scene.with_images(pool, velocity);
   VelocityGradients gradients;
   compute_velocity_gradients(pool, scene.data, scene.gradients, scene.corrections, v, gradients);
@@ -396,7 +396,7 @@ TEST(Corrections, OfAloneInPairsInLinesAndInPlanesAreTheUnitMatrix) {
       {"none", {}}};
   for (const auto& [name, points] : sets) {
     SCOPED_TRACE(name);
-    const TankScene scene(pool, kTank, kAllWalls, points, {}, kSpacing);
+    const PatchScene scene(pool, kPatch, kAllWalls, points, {}, kSpacing);
     for (std::size_t i = 0; i < scene.count; ++i) {
       EXPECT_EQ(scene.weight(i), 0.0);
       const Double33 b = correction(scene, i);
@@ -439,7 +439,7 @@ TEST(Corrections, StayBoundedWhateverTheNeighbourhood) {
       const Float4 v = random.vector(0.1);
       p = {0.2F + v.x, 0.2F + v.y, 0.2F + v.z, 0};
     }
-    const TankScene scene(pool, kTank, kAllWalls, points, {}, kSpacing);
+    const PatchScene scene(pool, kPatch, kAllWalls, points, {}, kSpacing);
     for (std::size_t i = 0; i < scene.count; ++i) {
       for (const Double3& row : correction(scene, i))
         for (const double value : row) {

@@ -20,7 +20,7 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 std::vector<std::uint64_t> history(int threads, const Case& c) {
   const double d = 0.05;
   const std::array<int, 3> n{13, 10, 17};
-  FluidParameters parameters = tank({3.0 * (n[0] + 1) * d, (n[1] + 1) * d, 2.0 * (n[2] + 1) * d}, d);
+  FluidParameters parameters = patch_parameters({3.0 * (n[0] + 1) * d, (n[1] + 1) * d, 2.0 * (n[2] + 1) * d}, d);
   parameters.scheme = c.scheme;
   parameters.edges = c.edges;
   parameters.density.method = parameters.divergence.method = c.method;

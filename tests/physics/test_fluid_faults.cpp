@@ -37,7 +37,7 @@ TEST_P(FluidFault, IsReportedInThatStepAndDoesNotSpread) {
     EXPECT_EQ(report.not_finite, 1U) << "step " << n << " after the fault";
     EXPECT_LT(report.largest_speed, 10.0);  // the sound ones: the next step's size is not brought to zero
   }
-  // The others go on, inside the tank.
+  // The others go on, inside the patch.
   EXPECT_LE(water.measure().outside, 1U);
 }
 
@@ -60,7 +60,7 @@ TEST(FluidFaults, AllParticlesNotFinite) {
 
 TEST(FluidFaults, ParticlesOutsideAreCounted) {
   WaterScene water(
-      2, tank({1, 1, 1}, 0.05),
+      2, patch_parameters({1, 1, 1}, 0.05),
       std::vector<Float4>{{0.5F, 0.5F, 0.5F, 0}, {1.2F, 0.5F, 0.5F, 0}, {0.5F, -0.1F, 0.5F, 0}, {50, 50, -80, 0}});
   const StepReport report = water.step(0.001);
   EXPECT_EQ(report.outside, 3U);

@@ -16,7 +16,7 @@ constexpr double kStillSpeed = 0.08;
 constexpr double kEnergyRise = 0.005;
 
 TEST(FluidStep, AParticleFallsFreely) {
-  WaterScene water(2, tank({1, 1, 20}, 0.05), std::vector<Float4>{{0.5F, 0.5F, 19, 0}});
+  WaterScene water(2, patch_parameters({1, 1, 20}, 0.05), std::vector<Float4>{{0.5F, 0.5F, 19, 0}});
   const double dt = 0.01, g = water.state.parameters.gravity;
   for (int n = 1; n <= 100; ++n) {
     const StepReport report = water.step(dt);
@@ -33,7 +33,7 @@ TEST(FluidStep, AParticleFallsFreely) {
 TEST(FluidStep, ABlockFallsAsOne) {
   // Far from walls, at rest density: no pressure, so every particle has the same history to the bit.
   const std::vector<Float4> points = lattice({5, 5, 5}, 0.0505, {1, 1, 8});
-  WaterScene water(2, tank({2, 2, 10}, 0.05), points);
+  WaterScene water(2, patch_parameters({2, 2, 10}, 0.05), points);
   for (int n = 0; n < 40; ++n) static_cast<void>(water.step(0.01));
   const FluidParticles& p = water.state.particles;
   for (std::size_t i = 1; i < p.count; ++i) {
@@ -43,7 +43,7 @@ TEST(FluidStep, ABlockFallsAsOne) {
 }
 
 TEST(FluidStep, FreeFlightConservesMomentumAndParticles) {
-  FluidParameters parameters = tank({4, 4, 4}, 0.05);
+  FluidParameters parameters = patch_parameters({4, 4, 4}, 0.05);
   parameters.gravity = 0.0;
   std::vector<Float4> points = lattice({9, 9, 9}, 0.05, {1.8, 1.8, 1.8});
   jitter(points, 0.005, 31);
@@ -71,9 +71,9 @@ TEST(FluidStep, FreeFlightConservesMomentumAndParticles) {
 }
 
 TEST(FluidStep, StillWaterStaysStill) {
-  // 11 layers of water in a tank that they fill from wall to wall.
+  // 11 layers of water in a patch that they fill from wall to wall.
   const double d = 0.05;
-  WaterScene water(2, tank({10 * d, 10 * d, 16 * d}, d), lattice({9, 9, 11}, d, {d, d, d}));
+  WaterScene water(2, patch_parameters({10 * d, 10 * d, 16 * d}, d), lattice({9, 9, 11}, d, {d, d, d}));
   settle_fluid(water.pool, water.state, 100);
   StepReport report;
   double worst = 0.0, early = 0.0, late = 0.0;
@@ -128,7 +128,7 @@ TEST(FluidStep, DamBreakStaysFiniteInsideAndNeverGainsEnergy) {
 }
 
 TEST(FluidStep, ZeroGravityLeavesRestAlone) {
-  FluidParameters parameters = tank({1, 1, 1}, 0.05);
+  FluidParameters parameters = patch_parameters({1, 1, 1}, 0.05);
   parameters.gravity = 0.0;
   const std::vector<Float4> points = lattice({6, 6, 6}, 0.0505, {0.3, 0.3, 0.3});
   WaterScene water(2, parameters, points);
@@ -145,7 +145,7 @@ TEST(FluidStep, AnySmallNumberOfParticles) {
   for (const std::size_t count : {0U, 1U, 2U, 15U, 16U, 17U, 33U}) {
     std::vector<Float4> points = lattice({4, 3, 3}, 0.05, {0.05, 0.05, 0.05});
     points.resize(count);
-    WaterScene water(2, tank({0.3, 0.3, 0.6}, 0.05), points);
+    WaterScene water(2, patch_parameters({0.3, 0.3, 0.6}, 0.05), points);
     settle_fluid(water.pool, water.state, 3);
     for (int n = 0; n < 20; ++n) {
       const StepReport report = water.step(0.005);
@@ -160,7 +160,7 @@ TEST(FluidStep, AnySmallNumberOfParticles) {
 }
 
 TEST(FluidStep, CoincidentParticlesAreHarmless) {
-  WaterScene water(2, tank({1, 1, 1}, 0.05), std::vector<Float4>(2, Float4{0.5F, 0.5F, 0.5F, 0}));
+  WaterScene water(2, patch_parameters({1, 1, 1}, 0.05), std::vector<Float4>(2, Float4{0.5F, 0.5F, 0.5F, 0}));
   for (int n = 0; n < 100; ++n) {
     const StepReport report = water.step(0.005);
     ASSERT_EQ(report.not_finite, 0U);
@@ -171,7 +171,7 @@ TEST(FluidStep, CoincidentParticlesAreHarmless) {
 TEST(FluidStep, ACrowdInOnePlaceIsPushedApartOrKeptButFinite) {
   std::vector<Float4> points(120, Float4{0.5F, 0.5F, 0.3F, 0});  // rows longer than the fast path holds
   jitter(points, 0.002, 33);
-  WaterScene water(2, tank({1, 1, 1}, 0.05), points);
+  WaterScene water(2, patch_parameters({1, 1, 1}, 0.05), points);
   std::uint32_t long_rows = 0;
   for (int n = 0; n < 60; ++n) {
     const StepReport report = water.step(0.005);
@@ -196,7 +196,7 @@ TEST(FluidStep, SettlingMovesParticlesButGivesNoSpeed) {
 
 TEST(FluidStep, AccelerationsStayWithTheirParticlesWhenSettling) {
   // Thinner than at rest: nothing moves, only the order changes.
-  FluidParameters parameters = tank({2, 2, 2}, 0.05);
+  FluidParameters parameters = patch_parameters({2, 2, 2}, 0.05);
   WaterScene water(2, parameters, lattice({6, 6, 6}, 0.07, {0.5, 0.5, 0.5}));
   FluidParticles& p = water.state.particles;
   const std::vector<Float4> v = random_vectors(p.count, 1.0, 34);
@@ -258,7 +258,7 @@ TEST(FluidStep, MemoryDoesNotGrowWithTime) {
 }
 
 TEST(AdmissibleTimeStep, IsBoundedByStepAndSpeed) {
-  const FluidParameters p = tank({1, 1, 1}, 0.05);
+  const FluidParameters p = patch_parameters({1, 1, 1}, 0.05);
   EXPECT_EQ(admissible_time_step(p, 0.4, 0.005, 0.0), 0.005);
   EXPECT_EQ(admissible_time_step(p, 0.4, 0.005, 1.0), 0.005);
   EXPECT_DOUBLE_EQ(admissible_time_step(p, 0.4, 0.005, 10.0), 0.002);

@@ -3,13 +3,13 @@
 #include <limits>
 #include <set>
 
-#include "tank_scene.hpp"
+#include "patch_scene.hpp"
 
 namespace pelagos::test {
 namespace {
 
 constexpr double kReach = 0.1;
-const Region kTank{{-0.2F, 0.1F, 0}, {0.3F, 0.5F, 0.35F}};
+const Region kPatch{{-0.2F, 0.1F, 0}, {0.3F, 0.5F, 0.35F}};
 constexpr Edge kWall = Edge::kWall, kMirror = Edge::kMirror, kPeriodic = Edge::kPeriodic;
 
 std::vector<Float4> cloud(std::size_t count, std::uint32_t seed) {
@@ -38,11 +38,11 @@ std::vector<double> repeats(Edge edge, double low, double high, double x) {
   return all;
 }
 
-double distance_to_tank(const Double3& p) {
+double distance_to_patch(const Double3& p) {
   double squared = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double off =
-        std::max({static_cast<double>(kTank.min[axis]) - p[axis], p[axis] - static_cast<double>(kTank.max[axis]), 0.0});
+    const double off = std::max(
+        {static_cast<double>(kPatch.min[axis]) - p[axis], p[axis] - static_cast<double>(kPatch.max[axis]), 0.0});
     squared += off * off;
   }
   return std::sqrt(squared);
@@ -53,7 +53,7 @@ std::vector<Double3> all_images(const std::array<Edge, 3>& edges, const Float4& 
   const Double3 p = as_double(point);
   std::array<std::vector<double>, 3> axes;
   for (std::size_t a = 0; a < 3; ++a)
-    axes[a] = repeats(edges[a], static_cast<double>(kTank.min[a]), static_cast<double>(kTank.max[a]), p[a]);
+    axes[a] = repeats(edges[a], static_cast<double>(kPatch.min[a]), static_cast<double>(kPatch.max[a]), p[a]);
   std::vector<Double3> images;
   for (std::size_t i = 0; i < axes[0].size(); ++i)
     for (std::size_t j = 0; j < axes[1].size(); ++j)
@@ -81,13 +81,13 @@ INSTANTIATE_TEST_SUITE_P(Edges, GhostImages,
 TEST_P(GhostImages, EveryImageWithinReachIsThereOnce) {
   TaskPool pool(2);
   std::vector<Float4> position = cloud(300, 21);
-  position.push_back({-0.2F, 0.1F, 0, 0});  // a corner of the tank
+  position.push_back({-0.2F, 0.1F, 0, 0});  // a corner of the patch
   position.push_back({0.3F, 0.5F, 0.35F, 0});
   const std::size_t count = position.size();
   position.resize(padded_count(count));
   Ghosts ghosts;
-  ghosts.grid = CellGrid(widened(kTank, kReach), kReach);
-  make_ghosts(pool, kTank, GetParam().edges, static_cast<float>(kReach), count, position, ghosts);
+  ghosts.grid = CellGrid(widened(kPatch, kReach), kReach);
+  make_ghosts(pool, kPatch, GetParam().edges, static_cast<float>(kReach), count, position, ghosts);
   ASSERT_GT(ghosts.count, 0U);
   ASSERT_EQ(ghosts.begin, padded_count(count));
   ASSERT_GE(position.size(), extended_count(count, ghosts));
@@ -110,7 +110,7 @@ TEST_P(GhostImages, EveryImageWithinReachIsThereOnce) {
         }
       }
       // At the cut-off either is right. A corner's image may be there though it is farther than the reach.
-      if (distance_to_tank(want) < kReach * (1.0 - 1e-5)) {
+      if (distance_to_patch(want) < kReach * (1.0 - 1e-5)) {
         ++wanted_images;
         // A particle on a mirror is its own image: several of its repeats are in one place.
         ASSERT_GE(found, 1) << "particle " << i << " lacks the image at " << want[0] << ' ' << want[1] << ' '
@@ -132,8 +132,8 @@ TEST_P(GhostImages, OfVelocitiesAndScalarsBelongToTheirPositions) {
   const std::size_t count = position.size();
   position.resize(padded_count(count));
   Ghosts ghosts;
-  ghosts.grid = CellGrid(widened(kTank, kReach), kReach);
-  make_ghosts(pool, kTank, GetParam().edges, static_cast<float>(kReach), count, position, ghosts);
+  ghosts.grid = CellGrid(widened(kPatch, kReach), kReach);
+  make_ghosts(pool, kPatch, GetParam().edges, static_cast<float>(kReach), count, position, ghosts);
   // A small motion of the originals moves the images as their velocities say.
   std::vector<Float4> velocity = random_vectors(count, 1.0, 23);
   velocity.resize(extended_count(count, ghosts));
@@ -166,8 +166,8 @@ TEST(Ghosts, AreTheSameForAnyNumberOfThreads) {
     std::vector<Float4> position = cloud(5000, 24);  // several blocks of work
     position.resize(padded_count(5000));
     Ghosts ghosts;
-    ghosts.grid = CellGrid(widened(kTank, kReach), kReach);
-    make_ghosts(pool, kTank, edges, static_cast<float>(kReach), 5000, position, ghosts);
+    ghosts.grid = CellGrid(widened(kPatch, kReach), kReach);
+    make_ghosts(pool, kPatch, edges, static_cast<float>(kReach), 5000, position, ghosts);
     sources.push_back(ghosts.source);
   }
   EXPECT_EQ(sources[0], sources[1]);
@@ -180,8 +180,8 @@ TEST(Ghosts, OfNoParticlesAndOfNoneNearAFace) {
     std::vector<Float4> position(count, Float4{0.05F, 0.3F, 0.17F, 0});  // farther than the reach from all faces
     position.resize(padded_count(count));
     Ghosts ghosts;
-    ghosts.grid = CellGrid(widened(kTank, kReach), kReach);
-    make_ghosts(pool, kTank, {kPeriodic, kMirror, kPeriodic}, static_cast<float>(kReach), count, position, ghosts);
+    ghosts.grid = CellGrid(widened(kPatch, kReach), kReach);
+    make_ghosts(pool, kPatch, {kPeriodic, kMirror, kPeriodic}, static_cast<float>(kReach), count, position, ghosts);
     EXPECT_TRUE(ghosts.empty());
     EXPECT_EQ(extended_count(count, ghosts), padded_count(count));
   }
@@ -196,11 +196,11 @@ TEST(Ghosts, PositionsThatAreNotFiniteDoNoHarm) {
   position.resize(padded_count(count));
   std::vector<Float4> velocity(position.size());
   const std::array<Edge, 3> edges{kPeriodic, kMirror, kPeriodic};
-  wrap_particles(pool, kTank, edges, count, position, velocity);
+  wrap_particles(pool, kPatch, edges, count, position, velocity);
   EXPECT_EQ(position[5].x, -0.19F);  // the sound one is left alone
   Ghosts ghosts;
-  ghosts.grid = CellGrid(widened(kTank, kReach), kReach);
-  make_ghosts(pool, kTank, edges, static_cast<float>(kReach), count, position, ghosts);
+  ghosts.grid = CellGrid(widened(kPatch, kReach), kReach);
+  make_ghosts(pool, kPatch, edges, static_cast<float>(kReach), count, position, ghosts);
   std::size_t of_the_sound_one = 0;
   for (std::size_t k = 0; k < ghosts.count; ++k) of_the_sound_one += ghosts.source[k] == 5 ? 1 : 0;
   EXPECT_EQ(of_the_sound_one, 1U);  // near the lower face across x only
@@ -224,7 +224,7 @@ TEST(WrapParticles, BringsBackWhatHasCrossedAFace) {
   };
   for (const Crossing& c : crossings) {
     std::vector<Float4> position = {c.position}, velocity = {c.velocity};
-    wrap_particles(pool, kTank, edges, 1, position, velocity);
+    wrap_particles(pool, kPatch, edges, 1, position, velocity);
     const Double3 off = minus(as_double(position[0]), as_double(c.wrapped)),
                   turn = minus(as_double(velocity[0]), as_double(c.turned));
     EXPECT_LT(std::sqrt(dot(off, off)), 2e-7) << c.position.x << ' ' << c.position.y;  // coordinates of half a metre

@@ -12,7 +12,7 @@ namespace {
 constexpr double kSpacing = 0.05;
 
 FluidParameters shear_box(double oil_density, double oil_viscosity, double water_viscosity) {
-  FluidParameters parameters = tank({0.5, 0.5, 0.5}, kSpacing);
+  FluidParameters parameters = patch_parameters({0.5, 0.5, 0.5}, kSpacing);
   parameters.scheme = Scheme::kCorrected;
   parameters.edges = {Edge::kPeriodic, Edge::kPeriodic, Edge::kPeriodic};
   parameters.gravity = 0.0;
@@ -93,7 +93,7 @@ TEST(PhaseViscosity, MomentumStaysBetweenPhasesOfAnyViscosity) {
 
 TEST(PhaseViscosity, ThickOilDragsThinWaterByTheHarmonicMean) {
   // Two particles 0.6 h apart, one oil, one water, approaching: accelerations are opposite in the ratio of densities.
-  FluidParameters parameters = tank({1, 1, 1}, kSpacing);
+  FluidParameters parameters = patch_parameters({1, 1, 1}, kSpacing);
   parameters.gravity = 0.0;
   parameters.viscosity = 0.001;                  // mu = 1 Pa s
   parameters.oil = PhaseParameters{500.0, 3.0};  // harmonic mean 1.5 Pa s

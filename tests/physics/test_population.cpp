@@ -12,7 +12,7 @@ namespace {
 constexpr double kSpacing = 0.05;
 
 FluidParameters small_patch(Scheme scheme, Edge edge_x = Edge::kWall) {
-  FluidParameters parameters = with_scheme(tank({0.55, 0.5, 1.0}, kSpacing), scheme);
+  FluidParameters parameters = with_scheme(patch_parameters({0.55, 0.5, 1.0}, kSpacing), scheme);
   parameters.edges[0] = edge_x;
   parameters.oil = PhaseParameters{900.0, std::max(0.1, 900.0 * parameters.viscosity)};
   return parameters;

@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Case>& c) { return c.param.name; });
 
 FluidParameters oil_tank(const Case& c, const Double3& size, double oil_density, double oil_viscosity = 0.5) {
-  FluidParameters parameters = with_scheme(tank(size, kSpacing), c.scheme, c.method);
+  FluidParameters parameters = with_scheme(patch_parameters(size, kSpacing), c.scheme, c.method);
   // Particles of oil have to be kept calm like those of water.
   parameters.oil = PhaseParameters{oil_density, std::max(oil_viscosity, oil_density * parameters.viscosity)};
   return parameters;
@@ -90,7 +90,7 @@ TEST_P(EveryMethod, ADropOfBothKeepsItsMomentum) {
   }
 }
 
-/// Five layers of one liquid on five of the other, in a tank that they fill from side to side.
+/// Five layers of one liquid on five of the other, in a patch that they fill from side to side.
 WaterScene layered(const Case& c, double oil_density, bool oil_above, Edge edge, int threads = 2) {
   const std::array<int, 3> n{10, 10, 10};
   const double offset = edge == Edge::kWall ? 1.0 : 0.5, side = (n[0] - 1 + 2 * offset) * kSpacing;
@@ -195,7 +195,7 @@ TEST_P(TwoPhases, SameBitsForOneTwoAndSevenThreads) {
 
 TEST_P(TwoPhases, OilThatIsNotThereChangesNothing) {
   const auto history = [&](bool with_oil) {
-    FluidParameters parameters = with_scheme(tank({0.6, 0.4, 0.8}, kSpacing), GetParam().scheme);
+    FluidParameters parameters = with_scheme(patch_parameters({0.6, 0.4, 0.8}, kSpacing), GetParam().scheme);
     if (with_oil) parameters.oil = PhaseParameters{900.0, 0.1};
     WaterScene water(2, parameters, lattice({6, 7, 8}, kSpacing, {kSpacing, kSpacing, kSpacing}));
     std::vector<std::uint64_t> hashes;
@@ -209,7 +209,7 @@ TEST_P(TwoPhases, OilThatIsNotThereChangesNothing) {
 }
 
 TEST(PhaseEnergy, CountsTheMassOfEachPhase) {
-  FluidParameters parameters = tank({1, 1, 2}, kSpacing);
+  FluidParameters parameters = patch_parameters({1, 1, 2}, kSpacing);
   parameters.oil = PhaseParameters{800.0, 0.0};
   const std::vector<Float4> points{{0.5F, 0.5F, 0.5F, 0}, {0.5F, 0.5F, 1.5F, 0}};
   WaterScene water(1, parameters, points, std::vector<std::uint8_t>{kWaterPhase, kOilPhase});

@@ -8,7 +8,7 @@
 
 namespace pelagos::test {
 
-/// Water in a closed tank, advanced the way the simulation does it.
+/// Water in a closed patch, advanced the way the simulation does it.
 class WaterScene {
  public:
   WaterScene(int threads, const FluidParameters& parameters, std::span<const Float4> points,
@@ -36,7 +36,7 @@ class WaterScene {
   FluidState state;
 };
 
-inline FluidParameters tank(const Double3& size, double spacing) {
+inline FluidParameters patch_parameters(const Double3& size, double spacing) {
   FluidParameters p;
   p.spacing = spacing;
   p.support_radius = 2.0 * spacing;
@@ -45,10 +45,11 @@ inline FluidParameters tank(const Double3& size, double spacing) {
   return p;
 }
 
-/// A column of 10 x 9 x 13 particles (or n) in the corner of a tank three times as long.
+/// A column of 10 x 9 x 13 particles (or n) in the corner of a patch three times as long.
 inline WaterScene small_dam_break(int threads, const std::array<int, 3>& n = {10, 9, 13}) {
   const double d = 0.05;
-  return {threads, tank({3.0 * (n[0] + 1) * d, (n[1] + 1) * d, 2.0 * (n[2] + 1) * d}, d), lattice(n, d, {d, d, d})};
+  return {threads, patch_parameters({3.0 * (n[0] + 1) * d, (n[1] + 1) * d, 2.0 * (n[2] + 1) * d}, d),
+          lattice(n, d, {d, d, d})};
 }
 
 }  // namespace pelagos::test

@@ -7,7 +7,7 @@
 
 namespace pelagos::validation {
 
-/// The water's surface over the length of a tank, as means over its width, in bins of two spacings.
+/// The water's surface over the length of a patch, as means over its width, in bins of two spacings.
 struct SurfaceProfile {
   double bin = 0;                    ///< m
   std::vector<double> height, flow;  ///< m, of the highest particles; m/s, their mean velocity along x. NaN: no water
@@ -24,7 +24,7 @@ struct Meeting {
   double depth = 0.0;  ///< m, of the trough between them under the lower crest; 0: there are no two such crests
 };
 
-/// Columns of 2 x 2 spacings over the plan of a tank from (x0, y0), m.
+/// Columns of 2 x 2 spacings over the plan of a patch from (x0, y0), m.
 struct PlanGrid {
   double x0 = 0, y0 = 0, spacing = 0;
   int columns = 0, rows = 0;  ///< along x and y

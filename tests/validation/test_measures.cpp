@@ -145,7 +145,7 @@ TEST(Pressure, IsHydrostaticInEveryScheme) {
   for (const char* solver : {"corrected", "hybrid", "dfsph", "pbf"}) {
     const double d = 0.1;
     const FluidParameters parameters =
-        tank_parameters({10 * d, 4 * d, 20 * d}, d, {Edge::kPeriodic, Edge::kPeriodic, Edge::kMirror});
+        patch_parameters({10 * d, 4 * d, 20 * d}, d, {Edge::kPeriodic, Edge::kPeriodic, Edge::kMirror});
     WaterRun run(1, parameters, {solver}, fill_block(parameters, {10 * d, 4 * d, 10 * d}));
     run.advance_to(1.0);
     LineFit fit;
@@ -163,7 +163,8 @@ TEST(Pressure, IsHydrostaticInEveryScheme) {
 }
 
 TEST(Pressure, IsZeroBeforeTheFirstStep) {
-  const FluidParameters parameters = tank_parameters({1, 0.4, 1}, 0.1, {Edge::kMirror, Edge::kPeriodic, Edge::kMirror});
+  const FluidParameters parameters =
+      patch_parameters({1, 0.4, 1}, 0.1, {Edge::kMirror, Edge::kPeriodic, Edge::kMirror});
   const WaterRun run(1, parameters, {}, fill_block(parameters, {1, 0.4, 0.5}));
   std::vector<float> pressure(run.state().particles.count, -1.0F);
   compute_pressure(run.state(), pressure);

@@ -14,7 +14,7 @@ const LinearWave kWave{2.0 * M_PI / kLength, kDepth, 9.81};
 
 FluidParticles lattice() {
   const FluidParameters parameters =
-      tank_parameters({kLength, kWidth, 20.0}, 1.0, {Edge::kPeriodic, Edge::kPeriodic, Edge::kMirror});
+      patch_parameters({kLength, kWidth, 20.0}, 1.0, {Edge::kPeriodic, Edge::kPeriodic, Edge::kMirror});
   FluidParticles particles;
   particles.position = fill_block(parameters, {kLength, kWidth, kDepth}).positions;
   particles.count = particles.position.size();

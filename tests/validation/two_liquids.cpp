@@ -6,8 +6,8 @@
 namespace pelagos::validation {
 
 FluidParameters TwoLiquids::parameters() const {
-  FluidParameters p = tank_parameters({length, kSliceOfTwo * spacing, height}, spacing,
-                                      {periodic ? Edge::kPeriodic : Edge::kMirror, Edge::kPeriodic, Edge::kMirror});
+  FluidParameters p = patch_parameters({length, kSliceOfTwo * spacing, height}, spacing,
+                                       {periodic ? Edge::kPeriodic : Edge::kMirror, Edge::kPeriodic, Edge::kMirror});
   p.oil = PhaseParameters{oil_density, -1.0};
   return p;
 }

@@ -96,7 +96,7 @@ StepReport WaterRun::measure() {
   return report;
 }
 
-FluidParameters tank_parameters(const std::array<double, 3>& size, double spacing, const std::array<Edge, 3>& edges) {
+FluidParameters patch_parameters(const std::array<double, 3>& size, double spacing, const std::array<Edge, 3>& edges) {
   FluidParameters p;
   p.spacing = spacing;
   p.support_radius = 2.0 * spacing;

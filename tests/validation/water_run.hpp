@@ -74,13 +74,13 @@ class WaterRun {
   double time_ = 0, max_step_ = 0, cfl_ = 0.4, speed_ = 0;
 };
 
-/// Parameters of water in a tank from the origin to `size` (m), standard gravity; viscosity negative: the
+/// Parameters of water in a patch from the origin to `size` (m), standard gravity; viscosity negative: the
 /// solver's default, filled in by WaterRun. So it does for oil, with the same kinematic viscosity.
-[[nodiscard]] FluidParameters tank_parameters(const std::array<double, 3>& size, double spacing,
-                                              const std::array<Edge, 3>& edges);
+[[nodiscard]] FluidParameters patch_parameters(const std::array<double, 3>& size, double spacing,
+                                               const std::array<Edge, 3>& edges);
 
 /// Lattice points at d/2, 3d/2, ... (mirrored and periodic axes) or d, 2d, ... (walls) that fill `size` from the
-/// tank's lower corner.
+/// patch's lower corner.
 [[nodiscard]] Start fill_block(const FluidParameters& parameters, const std::array<double, 3>& size);
 
 }  // namespace pelagos::validation

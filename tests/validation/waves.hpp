@@ -34,7 +34,7 @@ struct LinearWave {
 
 /// Fourier amplitude of the surface, m: eta_k = 2 / (length width) sum V exp(-i k x) over all particles. The volume
 /// over a stretch of x is the height of the water there, so this is the surface's own mode, without finding a surface.
-/// `length` and `width` are those of the tank; k fits it, or half of it between mirrors.
+/// `length` and `width` are those of the patch; k fits it, or half of it between mirrors.
 [[nodiscard]] std::complex<double> surface_mode(const FluidParticles& particles, double volume, double wavenumber,
                                                 double length, double width);
 

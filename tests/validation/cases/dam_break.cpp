@@ -6,7 +6,7 @@ namespace pelagos::validation {
 WaterRun start_dam_break(int threads, const DamBreak& dam, const SolverChoice& solver) {
   const double d = dam.spacing(), width = DamBreak::kSlice * d;
   const FluidParameters parameters =
-      tank_parameters({dam.tank, width, 2.0 * dam.height}, d, {Edge::kMirror, Edge::kPeriodic, Edge::kMirror});
+      patch_parameters({dam.tank, width, 2.0 * dam.height}, d, {Edge::kMirror, Edge::kPeriodic, Edge::kMirror});
   return {threads, parameters, solver, fill_block(parameters, {dam.length, width, dam.height})};
 }
 

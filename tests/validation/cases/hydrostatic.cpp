@@ -43,8 +43,8 @@ class Column {
  public:
   Column(const Session& session, const Setup& setup, const std::string& solver)
       : d_(kDepth / setup.layers),
-        parameters_(tank_parameters({kColumns * d_, kSlice * d_, 1.3 * kDepth}, d_,
-                                    {Edge::kMirror, Edge::kPeriodic, setup.sampled ? Edge::kWall : Edge::kMirror})),
+        parameters_(patch_parameters({kColumns * d_, kSlice * d_, 1.3 * kDepth}, d_,
+                                     {Edge::kMirror, Edge::kPeriodic, setup.sampled ? Edge::kWall : Edge::kMirror})),
         bottom_(setup.sampled ? 0.5 * d_ : 0.0),
         run_(session.options().threads, parameters_, {solver},
              fill_block(parameters_, {kColumns * d_, kSlice * d_, kDepth + (setup.sampled ? d_ : 0.0)})) {}

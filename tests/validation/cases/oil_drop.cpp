@@ -25,8 +25,8 @@ Start ball(const FluidParameters& parameters) {
 }
 
 void run_drop(Session& session, const Subject& subject, double oil_density) {
-  FluidParameters parameters =
-      tank_parameters({2 * kMiddle, 2 * kMiddle, 2 * kMiddle}, kSpacing, {Edge::kMirror, Edge::kMirror, Edge::kMirror});
+  FluidParameters parameters = patch_parameters({2 * kMiddle, 2 * kMiddle, 2 * kMiddle}, kSpacing,
+                                                {Edge::kMirror, Edge::kMirror, Edge::kMirror});
   parameters.gravity = 0.0;
   parameters.oil = PhaseParameters{oil_density, -1.0};
   WaterRun run(session.options().threads, parameters, {subject.solver}, ball(parameters));

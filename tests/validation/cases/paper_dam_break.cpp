@@ -47,7 +47,7 @@ struct Sums {
 };
 
 void run_one(Session& session, const Size& size, const Subject& subject) {
-  const FluidParameters parameters = tank_parameters(size.tank, kSpacing, {Edge::kWall, Edge::kWall, Edge::kWall});
+  const FluidParameters parameters = patch_parameters(size.tank, kSpacing, {Edge::kWall, Edge::kWall, Edge::kWall});
   WaterRun run(session.options().threads, parameters, {subject.solver, kTolerance}, fill_block(parameters, size.block));
   run.settle(kSettleSteps);
   const double rho0 = parameters.rest_density;

@@ -59,8 +59,8 @@ Start fill_over(const Bed& bed, const TravellingWave& wave, const FluidParameter
 
 WaterRun start_over(int threads, const Bed& bed, const TravellingWave& wave, const std::string& solver) {
   const double d = wave.spacing, width = wave.slice * d;
-  FluidParameters parameters = tank_parameters({wave.length, width, 1.5 * wave.depth + 4.0 * wave.amplitude}, d,
-                                               {Edge::kPeriodic, Edge::kPeriodic, Edge::kMirror});
+  FluidParameters parameters = patch_parameters({wave.length, width, 1.5 * wave.depth + 4.0 * wave.amplitude}, d,
+                                                {Edge::kPeriodic, Edge::kPeriodic, Edge::kMirror});
   parameters.patch.min[2] = static_cast<float>(-bed.amplitude - 6.0 * d);
   Start start = fill_over(bed, wave, parameters);
   const LinearWave linear{2.0 * M_PI / wave.length, wave.depth, parameters.gravity};

@@ -82,7 +82,7 @@ void add_results(Session& session, const Subject& subject, const WaterRun& run, 
 void run_one(Session& session, const Subject& subject) {
   const double d = subject.spacing;
   FluidParameters parameters =
-      tank_parameters({kTank, kSlice * d, kTank}, d, {Edge::kMirror, Edge::kPeriodic, Edge::kMirror});
+      patch_parameters({kTank, kSlice * d, kTank}, d, {Edge::kMirror, Edge::kPeriodic, Edge::kMirror});
   parameters.gravity = 0.0;
   parameters.viscosity = 0.0;
   WaterRun run(session.options().threads, parameters, {subject.solver}, make_patch(parameters));

@@ -59,7 +59,7 @@ double mean_period(const Curve& curve) {
 void run_one(Session& session, const Setup& setup, const Subject& subject) {
   const double d = subject.spacing, width = kSlice * d;
   const FluidParameters parameters =
-      tank_parameters({kLength, width, 1.5 * kDepth}, d, {Edge::kMirror, Edge::kPeriodic, Edge::kMirror});
+      patch_parameters({kLength, width, 1.5 * kDepth}, d, {Edge::kMirror, Edge::kPeriodic, Edge::kMirror});
   const LinearWave wave{M_PI / kLength, kDepth, parameters.gravity};
   Start start = fill_block(parameters, {kLength, width, kDepth});
   start.velocities = start_wave(wave, setup.amplitude, true, start.positions);

@@ -13,7 +13,7 @@ constexpr double kEnd = 30.0, kAverageFrom = 15.0;              // s
 void run_one(Session& session, int layers, const Goal& goal, const Subject& subject) {
   const double depth = layers * kSpacing;
   const FluidParameters parameters =
-      tank_parameters({kLength, kSlice, 1.3 * depth}, kSpacing, {Edge::kPeriodic, Edge::kPeriodic, Edge::kMirror});
+      patch_parameters({kLength, kSlice, 1.3 * depth}, kSpacing, {Edge::kPeriodic, Edge::kPeriodic, Edge::kMirror});
   WaterRun run(session.options().threads, parameters, {subject.solver},
                fill_block(parameters, {kLength, kSlice, depth}));
   Series series = session.series(subject, "speed", "t,rms_speed");

@@ -44,7 +44,7 @@ double thin_share(const FluidParticles& particles) {
 void run_one(Session& session, const Goal& goal, const Subject& subject) {
   const double d = subject.spacing;
   FluidParameters parameters =
-      tank_parameters({kLength, kSlice * d, kLength}, d, {Edge::kPeriodic, Edge::kPeriodic, Edge::kPeriodic});
+      patch_parameters({kLength, kSlice * d, kLength}, d, {Edge::kPeriodic, Edge::kPeriodic, Edge::kPeriodic});
   parameters.gravity = 0.0;
   parameters.viscosity = kLength * kSpeed / kReynolds;
   Start start = fill_block(parameters, {kLength, kSlice * d, kLength});

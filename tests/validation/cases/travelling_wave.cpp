@@ -23,8 +23,8 @@ LinearWave linear_wave(const TravellingWave& wave, double gravity) {
 WaterRun start_travelling(int threads, const TravellingWave& wave, const SolverChoice& solver) {
   const double d = wave.spacing, width = wave.slice * d;
   const Edge floor = wave.sampled_floor ? Edge::kWall : Edge::kMirror;
-  FluidParameters parameters = tank_parameters({wave.length, width, 1.5 * wave.depth + 4.0 * wave.amplitude}, d,
-                                               {Edge::kPeriodic, Edge::kPeriodic, floor});
+  FluidParameters parameters = patch_parameters({wave.length, width, 1.5 * wave.depth + 4.0 * wave.amplitude}, d,
+                                                {Edge::kPeriodic, Edge::kPeriodic, floor});
   parameters.viscosity = wave.viscosity;
   // Over samples the lowest layer stands a spacing above them: a block that is one spacing higher holds as many layers.
   Start start = fill_block(parameters, {wave.length, width, wave.depth + (wave.sampled_floor ? d : 0.0)});

@@ -57,7 +57,7 @@ Point run_column(Session& session, const Knobs& knobs, const Subject& subject) {
   constexpr double kDepth = 1.0, kEnd = 2.0, kFrom = 1.0;  // m, s
   const double d = kDepth / (20.0 * knobs.refinement), width = 4.0 * d;
   const FluidParameters parameters =
-      tank_parameters({0.5, width, 1.3 * kDepth}, d, {Edge::kMirror, Edge::kPeriodic, Edge::kMirror});
+      patch_parameters({0.5, width, 1.3 * kDepth}, d, {Edge::kMirror, Edge::kPeriodic, Edge::kMirror});
   WaterRun run(session.options().threads, parameters, {subject.solver, knobs.tolerance},
                fill_block(parameters, {0.5, width, kDepth}));
   run.limit_steps(knobs.step, 0.4);

@@ -13,23 +13,23 @@
 
 namespace pelagos {
 
-// Rigid bodies inside the pressure solve. A body that is pushed only after a solve feels the whole weight of the water
-// that it should have shared with it: light bodies blow up. So a body answers every trial pressure p: with its samples
-// b, of volume V_b and at the arm r_b from its centre of mass,
+// Rigid bodies inside the pressure solve. A body that moves only after the solve first bears the weight of all the
+// water around it, and a light one is thrown away. So each body follows every trial pressure p of the solve. From its
+// boundary samples b, of volume V_b and at r_b from its centre of mass, it gets
 //   G_ik = sum_b a_ib ,  H_ik = sum_b r_b x a_ib                       of particle i and body k, see pair_passes.hpp
 //   u_k = rho_ref V M_k^-1 sum_i p_i G_ik ,  turn_k = rho_ref V I_k^-1 sum_i p_i H_ik
 //   (J u)_i -= u_k . G_ik + turn_k . H_ik
-// which adds the bodies' six columns to J, and their masses to W: A = J W J' stays symmetric, so the conjugate
-// gradients stand, and what the water gives the body takes: third law to rounding. (Strong coupling as in Akinci et al.
-// 2012 and Band et al. 2018, there for Jacobi; here on the constraints themselves.)
+// velocity and angular velocity, and the water's constraint i changes. That adds six columns for each body to J, and
+// its mass to W. A = J W J' stays symmetric, so conjugate gradients apply, and impulses on body and water are opposite,
+// to rounding. (Strong coupling as in Akinci et al. 2012 and Band et al. 2018, there in Jacobi iterations.)
 
 /// A rigid body, as the solves see it. World axes.
 struct CoupledBody {
   std::size_t first_sample = 0, sample_count = 0;      ///< its samples among FluidState::moving_position
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();    ///< m, local: of mass; moments are about it
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s, of `centre`: without the water's push, then with it
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s, of `centre`: without the water's impulse, then with it
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s, likewise
-  /// 1/kg for each axis and 1/(kg m^2) about `centre`; zero along what somebody else drives.
+  /// 1/kg for each axis and 1/(kg m^2) about `centre`; zero along what is prescribed.
   Eigen::Vector3d inverse_mass = Eigen::Vector3d::Zero();
   Eigen::Matrix3d inverse_inertia = Eigen::Matrix3d::Zero();
 

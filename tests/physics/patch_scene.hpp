@@ -11,7 +11,7 @@ namespace pelagos::test {
 
 inline constexpr std::array<Edge, 3> kAllWalls{Edge::kWall, Edge::kWall, Edge::kWall};
 
-/// The same region, one reach larger on all sides: where a tank's particles and images stand.
+/// The same region, one reach larger on all sides: where a patch's particles and images stand.
 inline Region widened(Region region, double reach) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     region.min[axis] -= static_cast<float>(reach);
@@ -20,21 +20,21 @@ inline Region widened(Region region, double reach) {
   return region;
 }
 
-/// Particles in a tank with walls, mirrors or periodic faces, their images and neighbour lists, and what the corrected
+/// Particles in a patch with walls, mirrors or periodic faces, their images and neighbour lists, and what the corrected
 /// pair passes make of them. The order is the sorted one.
-class TankScene {
+class PatchScene {
  public:
   /// @param walls  V_b in w
-  TankScene(TaskPool& pool, const Region& tank, const std::array<Edge, 3>& edges, std::span<const Float4> points,
-            std::span<const Float4> walls, double spacing)
+  PatchScene(TaskPool& pool, const Region& patch, const std::array<Edge, 3>& edges, std::span<const Float4> points,
+             std::span<const Float4> walls, double spacing)
       : count(points.size()), d(spacing), radius(2.0 * spacing) {
-    grid = wall_grid = ghosts.grid = CellGrid(widened(tank, radius), radius);
+    grid = wall_grid = ghosts.grid = CellGrid(widened(patch, radius), radius);
     std::vector<std::uint32_t> order;
     position = sorted(pool, grid, points, order);
     wall.position = sorted(pool, wall_grid, walls, order);
     wall.count = walls.size();
     wall.velocity.assign(padded_count(wall.count), {});
-    if (has_ghosts(edges)) make_ghosts(pool, tank, edges, static_cast<float>(radius), count, position, ghosts);
+    if (has_ghosts(edges)) make_ghosts(pool, patch, edges, static_cast<float>(radius), count, position, ghosts);
     const SearchSource fluid[2] = {
         {&grid, position.data(), 0},
         {&ghosts.grid, position.data() + ghosts.begin, static_cast<std::uint32_t>(ghosts.begin)}};
@@ -57,8 +57,8 @@ class TankScene {
     delta.assign(padded_count(count), 0);
     refresh(pool);
   }
-  TankScene(const TankScene&) = delete;
-  TankScene& operator=(const TankScene&) = delete;
+  PatchScene(const PatchScene&) = delete;
+  PatchScene& operator=(const PatchScene&) = delete;
 
   /// Corrections and gradients anew, after the walls' velocities have been set.
   void refresh(TaskPool& pool) {
@@ -98,13 +98,13 @@ class TankScene {
   PairData data;
 };
 
-/// Particles of a lattice that fills the tank at d/2, 3d/2, ..., jittered.
-inline std::vector<Float4> fill_tank(const Region& tank, double spacing, double jitter_share, std::uint32_t seed) {
+/// Particles of a lattice that fills the patch at d/2, 3d/2, ..., jittered.
+inline std::vector<Float4> fill_patch(const Region& patch, double spacing, double jitter_share, std::uint32_t seed) {
   std::array<int, 3> n{};
   Double3 first{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    n[axis] = static_cast<int>(std::lround(static_cast<double>(tank.max[axis] - tank.min[axis]) / spacing));
-    first[axis] = static_cast<double>(tank.min[axis]) + 0.5 * spacing;
+    n[axis] = static_cast<int>(std::lround(static_cast<double>(patch.max[axis] - patch.min[axis]) / spacing));
+    first[axis] = static_cast<double>(patch.min[axis]) + 0.5 * spacing;
   }
   std::vector<Float4> points = lattice(n, spacing, first);
   jitter(points, jitter_share * spacing, seed);
