@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "values/patch_frame.hpp"
+
 namespace pelagos {
 namespace {
 
@@ -58,13 +60,13 @@ SlickPlace place_of(const Slick& slick, int texels) {
     reach += weight * reach_of(disc);
     drawn_area += std::pow(2.0 * static_cast<double>(kFringe) * reach_of(disc), 2);
   }
-  const Eigen::Array2d origin = slick.origin.head<2>();
+  const PatchFrame patch = PatchFrame::at(slick.origin);
   const double needed = (high - low).maxCoeff() / (texels - 2 * kRim - 1);
   const double affordable = std::sqrt(drawn_area / kMostPixels);
   const double texel = rung_above(std::max({needed, affordable, small_reach(slick.discs) / kTexelsPerReach}));
-  place.corner = (((low + origin) / texel).floor() - kRim) * texel;
+  place.corner = ((patch.to_world(Eigen::Vector2d(low.matrix())).array() / texel).floor() - kRim) * texel;
   place.length = texels * texel;
-  place.centre = origin + sum / mass;
+  place.centre = patch.to_world(Eigen::Vector2d((sum / mass).matrix()));
   place.reach = reach / mass;
   return place;
 }
@@ -78,8 +80,9 @@ void SlickMap::draw(const Slick& slick, const SlickPlace& place) {
   std::vector<DrawnDisc> drawn;
   drawn.reserve(slick.discs.size());
   const double smallest = place.length / film_.width();  // a bell of less than a texel could fall between them
+  const PatchFrame patch = PatchFrame::at(slick.origin);
   for (const SlickDisc& disc : slick.discs) {
-    const Eigen::Vector2d at = slick.origin.head<2>() + Eigen::Vector2d(disc.x, disc.y) - place.corner;
+    const Eigen::Vector2d at = patch.to_world(Eigen::Vector2d(disc.x, disc.y)) - place.corner;
     const Eigen::Vector2f centre = (at / place.length).cast<float>();
     drawn.push_back({{centre.x(), centre.y()},
                      static_cast<float>(std::max(reach_of(disc), smallest) / place.length),

@@ -33,7 +33,7 @@ struct World {
           test::find_neighbors_brute_force(fluid.position, fluid.count, boundary.position, boundary.count, 0.2f);
   }
   [[nodiscard]] SurfaceInput input(double time = 0) const {
-    return {fluid, boundary, fluid_neighbors, boundary_neighbors, Eigen::Vector3d::Zero(), time};
+    return {fluid, boundary, fluid_neighbors, boundary_neighbors, time};
   }
 };
 
@@ -250,22 +250,6 @@ TEST(SurfaceExtractor, SameBitsForAnyNumberOfThreads) {
       ASSERT_EQ(a.foam, b.foam);
     }
   }
-}
-
-TEST(SurfaceExtractor, PositionsAreRelativeToTheOrigin) {
-  const World world(make_block(6, 4));
-  SurfaceExtractor extractor({}, kScales);
-  TaskPool pool(1);
-  std::vector<SurfaceParticle> here, there;
-  SurfaceInput input = world.input();
-  extractor.detect(input, pool);
-  extractor.shape(input, pool, here);
-  const SurfaceInput moved{
-      world.fluid, world.boundary, world.fluid_neighbors, world.boundary_neighbors, Eigen::Vector3d(1, -2, 3), 0};
-  extractor.detect(moved, pool);
-  extractor.shape(moved, pool, there);
-  for (std::size_t n = 0; n < here.size(); ++n)
-    EXPECT_LT((here[n].position - Eigen::Vector3f(1, -2, 3) - there[n].position).norm(), 1e-6f);  // rounding at 3 m
 }
 
 TEST(SurfaceExtractor, FoamArisesWhereWaterCollidesAndDies) {

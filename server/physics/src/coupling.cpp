@@ -11,8 +11,6 @@ namespace pelagos {
 
 namespace {
 
-Eigen::Vector3f vector_of(const Float4& p) { return {p.x, p.y, p.z}; }
-
 /// Collects the contacts of one particle, body by body.
 class ContactCollector {
  public:

@@ -22,8 +22,6 @@ constexpr Float4 kNoBlend{1.0F, 1.0F, 0.0F, 1.0F};
 /// correction has ended.
 constexpr float kSquare = 0.05F, kSkew = 0.2F;
 
-Eigen::Vector3f vector_of(const Float4& p) { return {p.x, p.y, p.z}; }
-
 Eigen::AlignedBox3f box_of(const Solid& solid) {
   Eigen::AlignedBox3f box;
   const SolidField& field = *solid.field;

@@ -145,8 +145,7 @@ StartingParticles place_open_sea(const OpenSeaWater& water, double spacing, cons
   StartingParticles start;
   for (std::size_t i = 0; i < water.position.size(); ++i) {
     const Float4& local = water.position[i];
-    const Eigen::Vector3d x =
-        frame.to_world(Eigen::Vector3d(Eigen::Vector3f(local.x, local.y, local.z).cast<double>()));
+    const Eigen::Vector3d x = frame.to_world(Eigen::Vector3d(vector_of(local).cast<double>()));
     if (water.label[i].w != kHeld && is_in_hull(bodies, x, spacing)) continue;
     start.position.push_back(local);
     start.velocity.push_back(water.velocity[i]);

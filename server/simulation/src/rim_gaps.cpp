@@ -12,8 +12,6 @@ namespace {
 /// Spacings to the next particle where one comes back: less would be a clash, much more a hole that never closes.
 constexpr float kRoom = 0.7F;
 
-Eigen::Vector3f vector_of(const Float4& p) { return {p.x, p.y, p.z}; }
-
 bool has_room(const FluidParticles& particles, const Eigen::Vector3f& place, float spacing) {
   const float least = kRoom * spacing * kRoom * spacing;
   for (std::size_t i = 0; i < particles.count; ++i)

@@ -81,13 +81,8 @@ PatchBlend blend_of(const std::optional<OpenSea>& open) {
 
 SurfaceInput surface_input(const FluidState& fluid, double time) {
   const bool solids = !fluid.solids.empty() && fluid.solid_planes.group.size() >= fluid.fluid_list.groups.size();
-  return {fluid.particles,
-          fluid.walls,
-          fluid.fluid_list,
-          fluid.wall_list,
-          Eigen::Vector3d::Zero(),
-          time,
-          solids ? &fluid.solid_planes : nullptr};
+  return {fluid.particles, fluid.walls, fluid.fluid_list,
+          fluid.wall_list, time,        solids ? &fluid.solid_planes : nullptr};
 }
 
 SurfaceScales surface_scales(const FluidParameters& parameters) {

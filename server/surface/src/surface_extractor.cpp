@@ -27,8 +27,6 @@ constexpr float kSprayFrom = 8.0f, kSprayFull = 2.0f;  ///< neighbours; an edge 
 
 bool is_finite(const Float4& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
-Eigen::Vector3f vector_of(const Float4& a) { return {a.x, a.y, a.z}; }
-
 std::uint8_t to_byte(float part) {
   return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(part, 0.0f, 1.0f)));
 }
@@ -204,7 +202,7 @@ SurfaceParticle SurfaceExtractor::shape_particle(const SurfaceInput& input, std:
   const Neighborhood moments = moments_of(sums);
   const Ellipsoid ellipsoid = fit_ellipsoid(moments, static_cast<float>(scales_.spacing), support_radius, anisotropy_);
   SurfaceParticle particle;
-  particle.position = (place.cast<double>() - input.origin).cast<float>() + ellipsoid.shift;
+  particle.position = place + ellipsoid.shift;
   particle.orientation = ellipsoid.orientation;
   particle.semi_axes = ellipsoid.semi_axes;
   particle.velocity = vector_of(fluid.velocity[i]);

@@ -15,7 +15,7 @@ void add_push(TaskPool& pool, const Air& air, const Air::Moment& moment, double 
   pool.for_each_range(position.size(), kParticlesPerBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const Float4& p = position[n];
-      const Eigen::Vector3d place = Eigen::Vector3f(p.x, p.y, p.z).cast<double>();
+      const Eigen::Vector3d place = vector_of(p).cast<double>();
       const double height = place.z() - floor;
       if (!place.allFinite() || !(height > 0.0)) continue;
       const Eigen::Vector3f push = (scale * std::log(height / roughness) * air.reference(moment, place)).cast<float>();

@@ -1,14 +1,15 @@
+#include "values/patch_frame.hpp"
 #include "wire/convert.hpp"
 
 namespace pelagos::wire {
 
 namespace {
 
-pelagos_SlickElementV1 to_wire(const SlickDisc& disc, const Eigen::Vector3d& origin) {
+pelagos_SlickElementV1 to_wire(const SlickDisc& disc, const PatchFrame& patch) {
+  const Eigen::Vector3d world = Eigen::Vector3f(disc.x, disc.y, disc.z).cast<double>();
+  const Eigen::Vector3f local = patch.to_local(world).cast<float>();
   pelagos_SlickElementV1 element{};
-  element.position = {static_cast<float>(static_cast<double>(disc.x) - origin.x()),
-                      static_cast<float>(static_cast<double>(disc.y) - origin.y()),
-                      static_cast<float>(static_cast<double>(disc.z) - origin.z())};
+  element.position = {local.x(), local.y(), local.z()};
   element.radius = disc.radius;
   element.thickness = disc.thickness;
   element.mass = disc.mass;
@@ -47,7 +48,8 @@ OilSample::OilSample(const Snapshot& snapshot, const OilSnapshot& oil, std::uint
   slick_.simulation_time = budget_.simulation_time = snapshot.simulation_time;
   slick_.origin = wire::to_wire(snapshot.origin);
   elements_.reserve(oil.discs.size());
-  for (const SlickDisc& disc : oil.discs) elements_.push_back(to_wire(disc, snapshot.origin));
+  const PatchFrame patch = PatchFrame::at(snapshot.origin);
+  for (const SlickDisc& disc : oil.discs) elements_.push_back(to_wire(disc, patch));
   lend(slick_.elements, elements_);
 
   const OilBudget& b = oil.budget;

@@ -11,6 +11,9 @@ struct PatchFrame {
   Box box;                                           ///< m, world
   PatchEdges edges = kWallsAround;                   ///< how the faces across x, y, z close it
 
+  /// A frame of which no more is known than its origin, as of a slick that a viewer has received.
+  [[nodiscard]] static PatchFrame at(const Eigen::Vector3d& origin) { return {origin, {}, kWallsAround}; }
+
   [[nodiscard]] Eigen::Vector3d to_local(const Eigen::Vector3d& world) const { return world - origin; }
   [[nodiscard]] Eigen::Vector3d to_world(const Eigen::Vector3d& local) const { return local + origin; }
   [[nodiscard]] Eigen::Vector2d to_local(const Eigen::Vector2d& world) const { return world - origin.head<2>(); }
@@ -22,6 +25,8 @@ struct PatchFrame {
   [[nodiscard]] PatchFrame moved(const Eigen::Vector3d& way) const {
     return {origin + way, {box.min + way, box.max + way}, edges};
   }
+  /// m, world: how far this frame has moved from where it was.
+  [[nodiscard]] Eigen::Vector3d way_from(const PatchFrame& before) const { return origin - before.origin; }
   /// m, world: the middle of its area.
   [[nodiscard]] Eigen::Vector2d middle() const { return 0.5 * (box.min + box.max).head<2>(); }
   /// Whether a place (m, world) lies in the patch, above or below it.

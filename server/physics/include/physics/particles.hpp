@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -12,6 +13,9 @@ namespace pelagos {
 struct alignas(16) Float4 {
   float x = 0, y = 0, z = 0, w = 0;
 };
+/// Its first three numbers.
+[[nodiscard]] inline Eigen::Vector3f vector_of(const Float4& p) { return {p.x, p.y, p.z}; }
+
 template <>
 struct ScalarLayout<Float4> {
   using Scalar = float;

@@ -22,10 +22,9 @@ struct SurfaceInput {
   const FluidParticles& fluid;
   const BoundaryParticles& boundary;
   const NeighborList& fluid_neighbors;
-  const NeighborList& boundary_neighbors;            ///< boundary samples around fluid particles; may be empty
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, that positions of the result are relative to
-  double time = 0.0;                                 ///< s, simulation time; for the decay of foam
-  const SolidPlanes* solids = nullptr;               ///< of that step; null without
+  const NeighborList& boundary_neighbors;  ///< boundary samples around fluid particles; may be empty
+  double time = 0.0;                       ///< s, simulation time; for the decay of foam
+  const SolidPlanes* solids = nullptr;     ///< of that step; null without
 };
 
 /// Scales that do not change during a run.

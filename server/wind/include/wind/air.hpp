@@ -51,7 +51,7 @@ class Air {
 
   /// The patch has moved: what is local from now on is so in this frame.
   void follow(const PatchFrame& frame) {
-    around_.way += frame.origin - around_.frame.origin;
+    around_.way += frame.way_from(around_.frame);
     around_.frame = frame;
   }
 
