@@ -49,30 +49,38 @@ struct Extent {
     max_y = std::max(max_y, y);
   }
 };
+using Extents = std::array<Extent, kChunks>;  ///< of the chunks
 
-}  // namespace
-
-ColumnGrid make_column_grid(TaskPool& pool, std::span<const Float4> position, float cell) {
-  std::array<Extent, kChunks> extents;
-  pool.for_each_block(kChunks, [&](std::size_t chunk) {
-    for (const Float4& p : chunk_of(position, chunk))
-      if (is_usable(p)) extents[chunk].add(p.x, p.y);
-  });
+/// Over all usable particles. Cell corners lie on multiples of the cell, so that the grid does not shift with the
+/// outermost particle.
+ColumnGrid grid_over(const Extents& extents, float cell) {
   Extent all;
-  for (const Extent& extent : extents) {
-    all.add(extent.min_x, extent.min_y);
-    all.add(extent.max_x, extent.max_y);
+  for (const Extent& extent : extents) {  // one without particles, as of images alone, changes nothing
+    all.min_x = std::min(all.min_x, extent.min_x);
+    all.max_x = std::max(all.max_x, extent.max_x);
+    all.min_y = std::min(all.min_y, extent.min_y);
+    all.max_y = std::max(all.max_y, extent.max_y);
   }
   const auto [min_x, min_y, max_x, max_y] = all;
   if (!(std::abs(min_x) < kFarthest)) return {};  // no particles: infinite
   ColumnGrid grid;
   grid.cell = std::max({cell, (max_x - min_x) / kMostCellsPerSide, (max_y - min_y) / kMostCellsPerSide});
-  // Cell corners lie on multiples of the cell, so that the grid does not shift with the outermost particle.
   grid.origin_x = grid.cell * std::floor(min_x / grid.cell);
   grid.origin_y = grid.cell * std::floor(min_y / grid.cell);
   grid.columns = static_cast<int>((max_x - grid.origin_x) / grid.cell) + 1;
   grid.rows = static_cast<int>((max_y - grid.origin_y) / grid.cell) + 1;
   return grid;
+}
+
+}  // namespace
+
+ColumnGrid make_column_grid(TaskPool& pool, std::span<const Float4> position, float cell) {
+  Extents extents;
+  pool.for_each_block(kChunks, [&](std::size_t chunk) {
+    for (const Float4& p : chunk_of(position, chunk))
+      if (is_usable(p)) extents[chunk].add(p.x, p.y);
+  });
+  return grid_over(extents, cell);
 }
 
 ColumnWater ColumnWater::of(const FluidState& fluid) {
@@ -82,10 +90,22 @@ ColumnWater ColumnWater::of(const FluidState& fluid) {
 
 void WaterColumns::build(TaskPool& pool, const ColumnWater& water) {
   water_ = water;
-  grid_ = make_column_grid(pool, water.position.first(water.count), static_cast<float>(kRadius * water.spacing));
+  const auto cell = static_cast<float>(kRadius * water.spacing);
+  if (grid_.columns == 0) use_grid(make_column_grid(pool, water.position.first(water.count), cell));
   if (grid_.columns == 0) return;
-  bins_ = {grid_.origin_x - grid_.cell, grid_.origin_y - grid_.cell, grid_.cell, grid_.columns + 2, grid_.rows + 2};
-  fill_bins(pool);
+  // The water mostly covers the cells that it covered the last time; where it does not, they are found anew.
+  const ColumnGrid grid = count_in_bins(pool, cell);
+  if (grid != grid_) {
+    use_grid(grid);
+    if (grid_.columns == 0) return;
+    static_cast<void>(count_in_bins(pool, cell));
+  }
+  sort_into_bins(pool);
+}
+
+void WaterColumns::use_grid(const ColumnGrid& grid) {
+  grid_ = grid;
+  bins_ = {grid.origin_x - grid.cell, grid.origin_y - grid.cell, grid.cell, grid.columns + 2, grid.rows + 2};
 }
 
 /// The number of bins where the place is outside of them.
@@ -96,26 +116,34 @@ std::size_t WaterColumns::bin_of(double x, double y) const {
   return bins_.index(static_cast<int>(gx), static_cast<int>(gy));
 }
 
-/// A counting sort whose order is that of one chunk, whatever the chunks.
-void WaterColumns::fill_bins(TaskPool& pool) {
+/// The first half of a counting sort whose order is that of one chunk, whatever the chunks.
+ColumnGrid WaterColumns::count_in_bins(TaskPool& pool, float cell) {
   const std::size_t count = water_.count + water_.images, none = bins_.cell_count();
-  const std::size_t particles = water_.count, jump = water_.first_image - water_.count;  // over the gap before images
-  const auto index_of = [=](std::size_t n) { return n < particles ? n : n + jump; };
   const Float4* const position = water_.position.data();
   const float inverse = 1.0F / bins_.cell;
   const auto columns = static_cast<float>(bins_.columns), rows = static_cast<float>(bins_.rows);
   bin_.resize(count);
   next_.assign((none + 1) * kChunks, 0);  // [chunk][bin]: how many, then where to
+  Extents extents;
   pool.for_each_block(kChunks, [&](std::size_t chunk) {
     std::uint32_t* const counts = next_.data() + chunk * (none + 1);
+    Extent extent;
     for (std::size_t n = chunk_begin(count, chunk); n < chunk_begin(count, chunk + 1); ++n) {
       const Float4& p = position[index_of(n)];
+      if (n < water_.count && is_usable(p)) extent.add(p.x, p.y);
       const float gx = (p.x - bins_.origin_x) * inverse, gy = (p.y - bins_.origin_y) * inverse;
       const bool inside = gx >= 0.0F && gy >= 0.0F && gx < columns && gy < rows && std::abs(p.z) < kFarthest;
       bin_[n] = static_cast<std::uint32_t>(inside ? bins_.index(static_cast<int>(gx), static_cast<int>(gy)) : none);
       ++counts[bin_[n]];
     }
+    extents[chunk] = extent;
   });
+  return grid_over(extents, cell);
+}
+
+void WaterColumns::sort_into_bins(TaskPool& pool) {
+  const std::size_t count = bin_.size(), none = bins_.cell_count();
+  const Float4* const position = water_.position.data();
   begin_.resize(none + 1);
   std::uint32_t place = 0;
   for (std::size_t k = 0; k < none; ++k) {

@@ -19,6 +19,7 @@ struct ColumnGrid {
   [[nodiscard]] std::size_t index(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i);
   }
+  friend bool operator==(const ColumnGrid&, const ColumnGrid&) = default;
 };
 
 /// The water's surface at the centre of a cell.

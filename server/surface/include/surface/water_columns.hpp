@@ -52,8 +52,9 @@ struct ColumnWater {
 /// topmost 1.5 d, or within 2 d of a place under water. Where the water is less than 4 d deep the column below the
 /// surface is taken as it is. Lone drops are not surface: a column's top has water below it.
 ///
-/// Particles are put into cells 2 d wide once; then a place costs what is in the 3 x 3 cells around it, and answers do
-/// not depend on what else is asked, nor on the number of threads.
+/// Particles are put into cells 2 d wide once, in one pass that finds their cells and one that copies them; then a
+/// place costs what is in the 3 x 3 cells around it, and answers do not depend on what else is asked, nor on the number
+/// of threads.
 class WaterColumns {
  public:
   /// Nothing is wet before `build`.
@@ -71,7 +72,14 @@ class WaterColumns {
   void add_velocities(TaskPool& pool, SurfaceGrid& surface) const;
 
  private:
-  void fill_bins(TaskPool& pool);
+  void use_grid(const ColumnGrid& grid);
+  /// Of the n-th particle or image.
+  [[nodiscard]] std::size_t index_of(std::size_t n) const {
+    return n < water_.count ? n : n - water_.count + water_.first_image;
+  }
+  /// One pass over all particles: their bins, how many are in each, and the grid that covers them.
+  [[nodiscard]] ColumnGrid count_in_bins(TaskPool& pool, float cell);
+  void sort_into_bins(TaskPool& pool);
   [[nodiscard]] std::size_t bin_of(double x, double y) const;
   /// Ranges of sorted particles: three rows of three bins around a bin.
   using Ranges = std::array<std::pair<std::uint32_t, std::uint32_t>, 3>;
@@ -86,7 +94,7 @@ class WaterColumns {
   ColumnGrid bins_;                        ///< the same with a cell more on every side, for images
   std::vector<std::uint32_t> begin_;       ///< [bins + 1] of the particles of each bin
   std::vector<float> x_, y_, z_;           ///< m, of the particles, bin by bin
-  std::vector<std::uint32_t> bin_, next_;  ///< scratch of fill_bins
+  std::vector<std::uint32_t> bin_, next_;  ///< scratch of the sort
   std::vector<std::uint32_t> particle_;    ///< which they are
 };
 
