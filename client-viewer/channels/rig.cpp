@@ -46,7 +46,7 @@ json parse_shallow(const std::string& text) {
 /// Reads fields of one object, collects faults and remembers what was read, to name unknown fields.
 class Fields {
  public:
-  Fields(const json& object, std::string place, std::vector<std::string>& faults)
+  Fields(const json& object, std::string place, Refusals& faults)
       : object_(object), place_(std::move(place)), faults_(faults) {}
 
   [[nodiscard]] const json* find(const char* key) {
@@ -55,7 +55,7 @@ class Fields {
     return it == object_.end() ? nullptr : &*it;
   }
   void fault(const std::string& key, const std::string& text) {
-    faults_.push_back((place_.empty() ? "" : place_ + ".") + printable(key, kLongestQuote) + ": " + text);
+    faults_.push_back({(place_.empty() ? "" : place_ + ".") + printable(key, kLongestQuote), text});
   }
   void number(const char* key, double low, double high, double& value) {
     const json* field = find(key);
@@ -122,15 +122,15 @@ class Fields {
  private:
   const json& object_;
   std::string place_;
-  std::vector<std::string>& faults_;
+  Refusals& faults_;
   std::set<std::string> known_;
 };
 
-Mount read_mount(const json& object, const std::string& place, std::vector<std::string>& faults) {
+Mount read_mount(const json& object, const std::string& place, Refusals& faults) {
   Mount mount;
   if (!object.is_object()) {
-    faults.push_back(place + ": is " + quote(object) +
-                     "; allowed: an object with body, eye, attitude, heading_deg, tilt_deg");
+    faults.push_back(
+        {place, "is " + quote(object) + "; allowed: an object with body, eye, attitude, heading_deg, tilt_deg"});
     return mount;
   }
   Fields fields(object, place, faults);
@@ -154,12 +154,11 @@ Mount read_mount(const json& object, const std::string& place, std::vector<std::
   return mount;
 }
 
-Channel read_channel(const json& object, const std::string& place, const Mount& rig_mount,
-                     std::vector<std::string>& faults) {
+Channel read_channel(const json& object, const std::string& place, const Mount& rig_mount, Refusals& faults) {
   Channel channel;
   channel.mount = rig_mount;
   if (!object.is_object()) {
-    faults.push_back(place + ": is " + quote(object) + "; allowed: an object with name, yaw_deg, pitch_deg, ...");
+    faults.push_back({place, "is " + quote(object) + "; allowed: an object with name, yaw_deg, pitch_deg, ..."});
     return channel;
   }
   Fields fields(object, place, faults);
@@ -173,9 +172,10 @@ Channel read_channel(const json& object, const std::string& place, const Mount& 
   return channel;
 }
 
-void read_channels(const json& list, const Mount& mount, Rig& rig, std::vector<std::string>& faults) {
+void read_channels(const json& list, const Mount& mount, Rig& rig, Refusals& faults) {
   if (!list.is_array() || list.empty() || list.size() > kMostChannels) {
-    faults.push_back("channels: allowed: a list of 1 to " + std::to_string(kMostChannels) + " channels");
+    faults.push_back(
+        {"channels", "is " + quote(list) + "; allowed: a list of 1 to " + std::to_string(kMostChannels) + " channels"});
     return;
   }
   std::set<std::string> names;
@@ -184,11 +184,20 @@ void read_channels(const json& list, const Mount& mount, Rig& rig, std::vector<s
     rig.channels.push_back(read_channel(list[i], place, mount, faults));
     const std::string& name = rig.channels.back().name;
     if (!name.empty() && !names.insert(name).second)
-      faults.push_back(place + ".name: is \"" + name + "\", which an earlier channel has; allowed: each name once");
+      faults.push_back({place + ".name", "is \"" + name + "\", which an earlier channel has; allowed: each name once"});
   }
 }
 
+/// One line for each refusal.
+std::string lines_of(const Refusals& refusals) {
+  std::string text;
+  for (const Refusal& refusal : refusals) text += (text.empty() ? "" : "\n") + to_string(refusal);
+  return text;
+}
+
 }  // namespace
+
+RigError::RigError(Refusals refusals) : std::runtime_error(lines_of(refusals)), refusals_(std::move(refusals)) {}
 
 const Channel* Rig::find(const std::string& channel) const {
   for (const Channel& candidate : channels)
@@ -209,13 +218,13 @@ RigError syntax_error(const std::string& file_name, const std::string& text, std
   const std::string allowed = "; allowed: JSON with mount and channels as docs/viewer.md shows them";
   const std::size_t at = std::min(place > 0 ? place - 1 : 0, text.size());
   const auto here = text.begin() + static_cast<std::ptrdiff_t>(at);
-  const auto line = std::to_string(1 + std::count(text.begin(), here, '\n'));
-  if (at >= text.size()) return RigError(file_name + ":" + line + ": not JSON: the file ends too early" + allowed);
+  const std::string place_in_file = file_name + ":" + std::to_string(1 + std::count(text.begin(), here, '\n'));
+  if (at >= text.size()) return RigError({{place_in_file, "not JSON: the file ends too early" + allowed}});
   const std::size_t first = text.rfind('\n', at == 0 ? 0 : at - 1);
   const std::size_t begin = first == std::string::npos || at == 0 ? 0 : first + 1;
   std::string words = text.substr(begin, text.find('\n', at) - begin);
   words.erase(0, words.find_first_not_of(" \t"));
-  return RigError(file_name + ":" + line + ": not JSON at \"" + printable(words, kLongestQuote) + "\"" + allowed);
+  return RigError({{place_in_file, "not JSON at \"" + printable(words, kLongestQuote) + "\"" + allowed}});
 }
 
 }  // namespace
@@ -227,12 +236,14 @@ Rig parse_rig(const std::string& text, const std::string& file_name) {
   } catch (const json::parse_error& error) {
     throw syntax_error(file_name, text, error.byte);
   } catch (const json::out_of_range&) {
-    throw RigError(file_name + ": has a number that is too large; allowed: numbers up to 1e300");
+    throw RigError({{file_name, "has a number that is too large; allowed: numbers up to 1e300"}});
   } catch (const std::runtime_error& error) {
-    throw RigError(file_name + ": " + error.what() + "; allowed: mount and channels as docs/viewer.md shows them");
+    throw RigError(
+        {{file_name, std::string(error.what()) + "; allowed: mount and channels as docs/viewer.md shows them"}});
   }
-  if (!root.is_object()) throw RigError(file_name + ": allowed: one object with name, mount, channels");
-  std::vector<std::string> faults;
+  if (!root.is_object())
+    throw RigError({{file_name, "is " + quote(root) + "; allowed: one object with name, mount, channels"}});
+  Refusals faults;
   Rig rig;
   Fields fields(root, "", faults);
   fields.text("name", false, rig.name);
@@ -244,23 +255,24 @@ Rig parse_rig(const std::string& text, const std::string& file_name) {
     fields.fault("channels", "is missing; allowed: a list of 1 to " + std::to_string(kMostChannels) + " channels");
   fields.refuse_unknown();
   if (faults.empty()) return rig;
-  std::string report;
-  for (std::size_t i = 0; i < std::min(faults.size(), kMostFaults); ++i)
-    report += (report.empty() ? "" : "\n") + file_name + ": " + faults[i];
-  if (faults.size() > kMostFaults)
-    report += "\n" + file_name + ": and " + std::to_string(faults.size() - kMostFaults) + " more faults";
-  throw RigError(report);
+  if (faults.size() > kMostFaults) {
+    const Refusal rest{"", "and " + std::to_string(faults.size() - kMostFaults) + " more faults"};
+    faults.resize(kMostFaults);
+    faults.push_back(rest);
+  }
+  for (Refusal& fault : faults) fault = put_behind(file_name, ": ", fault);
+  throw RigError(std::move(faults));
 }
 
 Rig load_rig(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
-    throw RigError(file.string() + ": " + (error ? error.message() : "is no file"));
+    throw RigError({{file.string(), error ? error.message() : "is no file"}});
   std::ifstream in(file, std::ios::binary);
   std::string text(kLargestFile + 1, '\0');
   if (!in || !in.read(text.data(), static_cast<std::streamsize>(text.size())).eof() || in.bad()) {
-    if (in) throw RigError(file.string() + ": larger than 1 MiB, which no rig needs");
-    throw RigError(file.string() + ": cannot be read");
+    if (in) throw RigError({{file.string(), "larger than 1 MiB, which no rig needs"}});
+    throw RigError({{file.string(), "cannot be read"}});
   }
   text.resize(static_cast<std::size_t>(in.gcount()));
   return parse_rig(text, file.string());

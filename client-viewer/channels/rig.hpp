@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "text/refusal.hpp"
+
 namespace pelagos {
 
 /// How a mount follows its body.
@@ -45,10 +47,16 @@ struct Rig {
   [[nodiscard]] std::string channel_names() const;
 };
 
-/// A rig file that cannot be used. The text has one line per fault: place: what is wrong, what is allowed.
+/// A rig file that cannot be used. The text has one line for each refusal.
 class RigError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit RigError(Refusals refusals);
+
+  /// @return all that is wrong; the field is the file, the place in it and the field, e.g. "a.json: channels[1].name"
+  [[nodiscard]] const Refusals& refusals() const { return refusals_; }
+
+ private:
+  Refusals refusals_;
 };
 
 /// Reads a rig from JSON (docs/viewer.md describes the format). A syntax error stops at the first, all other faults are

@@ -97,7 +97,7 @@ MeshData load_mesh(const std::filesystem::path& file, double scale, MeshAxes axe
   options.materials = true;
   ImportedMesh imported = import_mesh(file, options);
   const std::string name = "mesh " + printable(file.string());
-  if (!imported.faults.empty()) throw MeshError(name + ": " + printable(imported.faults.front()));
+  if (!imported.faults.empty()) throw MeshError(name + ": " + printable(to_string(imported.faults.front())));
   if (imported.triangles.empty()) throw MeshError(name + ": holds no triangles");
   TriangleMesh mesh;
   const Eigen::Matrix3d turn = scale * body_from_file(axes);

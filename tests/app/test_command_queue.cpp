@@ -29,7 +29,7 @@ TEST(CommandQueue, TellsThoseWhoWaitWhenItCloses) {
   queue.close("the server is stopping");
   ASSERT_EQ(answers.size(), 1U);
   EXPECT_EQ(answers[0].refusal->what, "the server is stopping");
-  EXPECT_EQ(queue.submit(PauseSimulation{}, "a"), "the server is stopping");
+  EXPECT_EQ(queue.submit(PauseSimulation{}, "a").value().what, "the server is stopping");
 }
 
 TEST(RunClock, StepsOnlyWhilePaused) {

@@ -70,7 +70,7 @@ TEST(CommandSchedule, IsBounded) {
   }
   const auto refused = queue.schedule(ClearWind{}, 5.0, "a");
   EXPECT_EQ(refused.id, 0U);
-  EXPECT_THAT(refused.refusal, HasSubstr("1000"));
+  EXPECT_THAT(refused.refusal.value().what, HasSubstr("1000"));
   EXPECT_TRUE(queue.cancel(1, "b"));
   EXPECT_GT(queue.schedule(ClearWind{}, 5.0, "a").id, 0U);
 }

@@ -51,7 +51,8 @@ TEST(InputGate, RefusesAtOnceWhatDoesNotFitTheSceneBeforeTheFirstBoundary) {
 /// What a gate answers before its first boundary: "" where the command waits.
 std::string answer_of(InputGate& gate, const Command& command) {
   std::optional<CommandAnswer> news;
-  if (auto refusal = gate.submit(command, "a", [&](const CommandAnswer& answer) { news = answer; })) return *refusal;
+  if (auto refusal = gate.submit(command, "a", [&](const CommandAnswer& answer) { news = answer; }))
+    return to_string(*refusal);
   if (!news) return "no answer";
   return news->refusal ? to_string(*news->refusal) : "";
 }

@@ -201,10 +201,10 @@ class ControlTest : public testing::Test {
     status_.scene = "test";
     ControlHooks hooks;
     hooks.submit = [this](const Command& command, const std::string& source,
-                          TakeAnswer answer) -> std::optional<std::string> {
+                          TakeAnswer answer) -> std::optional<Refusal> {
       EXPECT_THAT(source, testing::StartsWith("station 127.0.0.1:"));
       if (throws_) throw std::runtime_error("broken");
-      if (refusal_) return refusal_;
+      if (refusal_) return Refusal{"", *refusal_};
       const std::lock_guard lock(mutex_);
       if (holds_answers_)
         held_.push_back([this, command, answer] { answer({kStep, take(command)}); });
@@ -214,7 +214,7 @@ class ControlTest : public testing::Test {
     };
     hooks.schedule = [this](const Command& command, double at, const std::string& source) -> ScheduleAnswer {
       if (at < now_) return {ScheduleAnswer::Outcome::kPast, 0, now_, {}};
-      if (refusal_) return {ScheduleAnswer::Outcome::kRefused, 0, now_, *refusal_};
+      if (refusal_) return {ScheduleAnswer::Outcome::kRefused, 0, now_, {"", *refusal_}};
       const std::lock_guard lock(mutex_);
       scheduled_.push_back({scheduled_.size() + 1, at, command, source});
       return {ScheduleAnswer::Outcome::kTaken, scheduled_.size(), now_, {}};

@@ -45,7 +45,9 @@ inline ImportedMesh imported(const std::string& name, const std::string& bytes, 
   return import_mesh(files.write(name, bytes), options);
 }
 
-inline std::string first_fault(const ImportedMesh& mesh) { return mesh.faults.empty() ? "" : mesh.faults.front(); }
+inline std::string first_fault(const ImportedMesh& mesh) {
+  return mesh.faults.empty() ? "" : to_string(mesh.faults.front());
+}
 
 /// By the divergence theorem, in the units of the file.
 inline double volume_of(const ImportedMesh& mesh) {

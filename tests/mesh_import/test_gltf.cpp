@@ -74,7 +74,7 @@ void expect_fault(const std::string& text, const std::vector<std::string>& says,
   const ImportedMesh mesh = imported(name, text);
   ASSERT_THAT(mesh.faults, SizeIs(1)) << says[0];
   EXPECT_THAT(mesh.triangles, IsEmpty());
-  for (const std::string& words : says) EXPECT_THAT(mesh.faults[0], HasSubstr(words));
+  for (const std::string& words : says) EXPECT_THAT(first_fault(mesh), HasSubstr(words));
 }
 
 std::string chunk(const std::string& kind, std::string bytes, char padding) {

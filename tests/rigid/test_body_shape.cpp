@@ -163,7 +163,7 @@ TEST(BodyShape, RefusesWhatItCannotSample) {
   EXPECT_FALSE(make_body_shape(open, 0.1, 0.6).faults.empty());
   const BodyShape huge = make_body_shape(make_box({0, 0, 0}, {1e5, 1e5, 10}), 0.1, 0.6);
   ASSERT_EQ(huge.faults.size(), 1u);
-  EXPECT_THAT(huge.faults[0], ::testing::HasSubstr("particle_spacing"));
+  EXPECT_THAT(to_string(huge.faults[0]), ::testing::HasSubstr("particle_spacing"));
   EXPECT_FALSE(load_body_shape("/nowhere.obj", {}, 1, 0.6).faults.empty());
 }
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <limits>
 
+#include "../support/refusal_matcher.hpp"
 #include "places.hpp"
 #include "rigid/triangle_mesh.hpp"
 #include "test_meshes.hpp"
@@ -16,8 +17,8 @@ namespace {
 
 using test::make_box;
 using test::make_sphere;
+using test::Says;
 using ::testing::Contains;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -73,15 +74,15 @@ TEST(MeshFile, ReadsObjAndStlAlike) {
 }
 
 TEST(MeshFile, SaysWhatIsWrongWithTheFile) {
-  EXPECT_THAT(read_mesh("/nowhere/hull.obj").faults, Contains(HasSubstr("/nowhere/hull.obj")));
+  EXPECT_THAT(read_mesh("/nowhere/hull.obj").faults, Contains(Says("/nowhere/hull.obj")));
   const TemporaryFile garbage("garbage.obj", "v one two\nf 7 8 9\n\x01\x02");
   EXPECT_FALSE(read_mesh(garbage.path()).faults.empty());
   const TemporaryFile empty("empty.stl", "");
   EXPECT_FALSE(read_mesh(empty.path()).faults.empty());
   const TemporaryFile box("box.obj", obj_of(make_box({0, 0, 0}, {1, 1, 1})));
-  EXPECT_THAT(read_mesh(box.path(), {-1.0}).faults, Contains(HasSubstr("scale")));
-  EXPECT_THAT(read_mesh(box.path(), {std::numeric_limits<double>::infinity()}).faults, Contains(HasSubstr("scale")));
-  EXPECT_THAT(read_mesh(box.path(), {1e9}).faults, Contains(HasSubstr("1e6 m")));
+  EXPECT_THAT(read_mesh(box.path(), {-1.0}).faults, Contains(Says("scale")));
+  EXPECT_THAT(read_mesh(box.path(), {std::numeric_limits<double>::infinity()}).faults, Contains(Says("scale")));
+  EXPECT_THAT(read_mesh(box.path(), {1e9}).faults, Contains(Says("1e6 m")));
 }
 
 /// A glTF file of a box 2 m wide (x), 1 m high (y) and 4 m long (z), its numbers in the file itself or beside it.
@@ -157,14 +158,14 @@ TEST(MeshFile, ReadsWhatLiesBesideTheFileAndNothingElse) {
   EXPECT_THAT(read_mesh(beside.path()).faults, IsEmpty());
   const std::string outside = "../etc/passwd";
   const TemporaryFile gltf("outside.gltf", gltf_of_box(outside));
-  EXPECT_THAT(read_mesh(gltf.path()).faults, testing::ElementsAre(HasSubstr("etc/passwd; allowed: files in the mesh")));
+  EXPECT_THAT(read_mesh(gltf.path()).faults, testing::ElementsAre(Says("etc/passwd; allowed: files in the mesh")));
   const TemporaryFile obj("outside.obj", "mtllib " + outside + "\n" + obj_of(make_sphere(1.0, 4)));
   EXPECT_THAT(read_mesh(obj.path()).faults, IsEmpty()) << "a body has no colours: the library is not opened";
   const TemporaryFile link("link.bin", "");
   std::filesystem::remove(link.path());
   std::filesystem::create_symlink("/etc/passwd", link.path());
   const TemporaryFile linked("linked.gltf", gltf_of_box(std::filesystem::path(link.path()).filename().string()));
-  EXPECT_THAT(read_mesh(linked.path()).faults, testing::ElementsAre(HasSubstr("link.bin; allowed")));
+  EXPECT_THAT(read_mesh(linked.path()).faults, testing::ElementsAre(Says("link.bin; allowed")));
   const TemporaryFile missing("missing.gltf", gltf_of_box("no_such_file.bin"));
   EXPECT_THAT(read_mesh(missing.path()).faults, SizeIs(1));
 }
@@ -204,7 +205,7 @@ TEST(MeshFile, MendsTrianglesWithoutAreaThatCloseGapsWithoutWidth) {
   }
   const TemporaryFile alone("alone.obj",
                             obj_of(make_box({0, 0, 0}, {1, 1, 1})) + "v 2 0 0\nv 3 0 0\nv 4 0 0\nf 9 10 11\n");
-  EXPECT_THAT(read_mesh(alone.path()).faults, Contains(HasSubstr("the face at line 24 at (2, 0, 0) m has no area")));
+  EXPECT_THAT(read_mesh(alone.path()).faults, Contains(Says("the face at line 24 at (2, 0, 0) m has no area")));
 }
 
 TEST(MeshFile, ClosesGapsWithoutWidth) {
@@ -221,15 +222,14 @@ TEST(MeshFile, ClosesGapsWithoutWidth) {
   // A gap with width stays one, and is named.
   text.replace(text.find("v 3 1.5 0"), 9, "v 3 1.5 .1");
   const TemporaryFile gap("gap.obj", text);
-  EXPECT_THAT(read_mesh(gap.path()).faults, Contains(HasSubstr("open edge: only the face at line")));
+  EXPECT_THAT(read_mesh(gap.path()).faults, Contains(Says("open edge: only the face at line")));
 }
 
 TEST(MeshFile, AnInvertedPolygonIsNamedByItsLineAndTheAdviceHelps) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
   const std::string before = "o crate\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\n", after = "f 3 4 8 7\nf 4 1 5 8\n";
   const TemporaryFile wrong("wrong.obj", vertices + before + "f 6 7 3 2\n" + after);
-  EXPECT_THAT(read_mesh(wrong.path()).faults,
-              testing::ElementsAre(HasSubstr("the face at line 13 of object \"crate\" at ")))
+  EXPECT_THAT(read_mesh(wrong.path()).faults, testing::ElementsAre(Says("the face at line 13 of object \"crate\" at ")))
       << "one line for both triangles of the polygon";
   const TemporaryFile right("right.obj", vertices + before + "f 2 3 7 6\n" + after);  // its corners reversed
   EXPECT_THAT(read_mesh(right.path()).faults, IsEmpty());
@@ -265,7 +265,7 @@ TEST(MeshFile, ReadsTheShippedHullsAsTheyAre) {
 
 TEST(MeshFile, NamesTheEndingsThatItReads) {
   const TemporaryFile file("box.fbx", obj_of(make_box({0, 0, 0}, {1, 1, 1})));
-  EXPECT_THAT(read_mesh(file.path()).faults, testing::ElementsAre(HasSubstr("allowed: .obj, .stl, .gltf, .glb")));
+  EXPECT_THAT(read_mesh(file.path()).faults, testing::ElementsAre(Says("allowed: .obj, .stl, .gltf, .glb")));
 }
 
 TEST(MeshFile, SurvivesFilesThatAreCutOff) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "../support/refusal_matcher.hpp"
 #include "rigid/triangle_mesh.hpp"
 #include "test_meshes.hpp"
 
@@ -13,8 +14,8 @@ namespace {
 
 using test::make_box;
 using test::make_sphere;
+using test::Says;
 using ::testing::Contains;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -33,8 +34,8 @@ TEST(TriangleMesh, NamesAnOpenEdge) {
   box.triangles.erase(box.triangles.begin() + 4);
   const auto faults = find_mesh_faults(box);
   ASSERT_THAT(faults, SizeIs(4));  // the hole has three edges; and what to do
-  EXPECT_THAT(faults, Contains(HasSubstr("open edge: only triangle")));
-  EXPECT_THAT(faults, Contains(HasSubstr("(0, 0, 0) m")));
+  EXPECT_THAT(faults, Contains(Says("open edge: only triangle")));
+  EXPECT_THAT(faults, Contains(Says("(0, 0, 0) m")));
 }
 
 TEST(TriangleMesh, NamesAnInvertedTriangle) {
@@ -42,22 +43,22 @@ TEST(TriangleMesh, NamesAnInvertedTriangle) {
   std::swap(box.triangles[7][0], box.triangles[7][1]);
   const auto faults = find_mesh_faults(box);
   ASSERT_THAT(faults, SizeIs(1));
-  EXPECT_THAT(faults[0], HasSubstr("inverted triangle: triangle 8 at"));
+  EXPECT_THAT(faults[0], Says("inverted triangle: triangle 8 at"));
 }
 
 TEST(TriangleMesh, NamesAShellInsideOut) {
   auto box = make_box({0, 0, 0}, {1, 1, 1});
   for (auto& triangle : box.triangles) std::swap(triangle[0], triangle[1]);
-  EXPECT_THAT(find_mesh_faults(box), Contains(HasSubstr("facing inwards")));
+  EXPECT_THAT(find_mesh_faults(box), Contains(Says("facing inwards")));
 }
 
 TEST(TriangleMesh, NamesDegenerateAndAbsurdInput) {
   auto box = make_box({0, 0, 0}, {1, 1, 1});
   box.triangles.push_back({0, 1, 1});
-  EXPECT_THAT(find_mesh_faults(box), Contains(HasSubstr("triangle 13")));
+  EXPECT_THAT(find_mesh_faults(box), Contains(Says("triangle 13")));
   box = make_box({0, 0, 0}, {1, 1, 1});
   box.vertices[5].y() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(find_mesh_faults(box), Contains(HasSubstr("triangle 3 has a corner at (1, nan, 1) m")));
+  EXPECT_THAT(find_mesh_faults(box), Contains(Says("triangle 3 has a corner at (1, nan, 1) m")));
   box = make_box({0, 0, 0}, {1, 1, 1});
   box.triangles[0][2] = 99;
   EXPECT_THAT(find_mesh_faults(box), SizeIs(1));
@@ -69,8 +70,8 @@ TEST(TriangleMesh, NamesTheSmallerPartThatFacesAgainstTheRest) {
   for (std::size_t t = 20; t < 25; ++t) std::swap(sphere.triangles[t][1], sphere.triangles[t][2]);
   const auto faults = find_mesh_faults(sphere);
   ASSERT_THAT(faults, SizeIs(4));
-  EXPECT_THAT(faults[0], HasSubstr("triangle 21"));
-  EXPECT_THAT(faults[3], HasSubstr("2 more, 5 in all"));
+  EXPECT_THAT(faults[0], Says("triangle 21"));
+  EXPECT_THAT(faults[3], Says("2 more, 5 in all"));
 }
 
 TEST(TriangleMesh, NamesASurfaceOfOneSide) {
@@ -88,25 +89,25 @@ TEST(TriangleMesh, NamesASurfaceOfOneSide) {
     strip.triangles.push_back({a, b, c});
     strip.triangles.push_back({c, b, d});
   }
-  EXPECT_THAT(find_mesh_faults(strip, MeshKind::kOpen), testing::ElementsAre(HasSubstr("single side")));
+  EXPECT_THAT(find_mesh_faults(strip, MeshKind::kOpen), testing::ElementsAre(Says("single side")));
 }
 
 TEST(TriangleMesh, NamesAnEdgeOfThreeTriangles) {
   auto box = make_box({0, 0, 0}, {1, 1, 1});
   box.vertices.emplace_back(0.5, -1.0, 0.0);
   box.triangles.push_back({0, 1, 8});
-  EXPECT_THAT(find_mesh_faults(box), Contains(HasSubstr("3 triangles have the edge from (0, 0, 0) m to (1, 0, 0) m")));
+  EXPECT_THAT(find_mesh_faults(box), Contains(Says("3 triangles have the edge from (0, 0, 0) m to (1, 0, 0) m")));
 }
 
 TEST(TriangleMesh, AnOpenMeshMayEndAtARimButNotBeInverted) {
   auto bed = make_box({0, 0, 0}, {1, 1, 1});
   bed.triangles.resize(2);
   EXPECT_THAT(find_mesh_faults(bed, MeshKind::kOpen), IsEmpty());
-  EXPECT_THAT(find_mesh_faults(bed), Contains(HasSubstr("open edge")));
+  EXPECT_THAT(find_mesh_faults(bed), Contains(Says("open edge")));
   EXPECT_THAT(rim_edges(bed), SizeIs(4)) << "of a square, without its diagonal";
   EXPECT_THAT(rim_edges(make_box({0, 0, 0}, {1, 1, 1})), IsEmpty());
   std::swap(bed.triangles[1][0], bed.triangles[1][1]);
-  EXPECT_THAT(find_mesh_faults(bed, MeshKind::kOpen), Contains(HasSubstr("inverted triangle")));
+  EXPECT_THAT(find_mesh_faults(bed, MeshKind::kOpen), Contains(Says("inverted triangle")));
 }
 
 /// The triangles of several meshes, and the mesh that each came from.
@@ -148,7 +149,7 @@ TEST(MeshOrigin, NamesTheTriangleAsItsFileDoes) {
   box.triangles.pop_back();
   const MeshOrigin origin{
       {"object \"keel\""}, std::vector<std::uint32_t>(11, 0), {"face"}, std::vector<std::uint32_t>(11, 7)};
-  EXPECT_THAT(find_mesh_faults(box, MeshKind::kClosed, origin), Contains(HasSubstr("face 7 of object \"keel\"")));
+  EXPECT_THAT(find_mesh_faults(box, MeshKind::kClosed, origin), Contains(Says("face 7 of object \"keel\"")));
 }
 
 }  // namespace

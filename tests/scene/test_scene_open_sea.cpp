@@ -83,59 +83,78 @@ TEST(SceneOpenSea, TakesBodiesThatMoveBeyondItsEdges) {
               HasSubstr("(0, 90, 1) is outside the patch"));
 }
 
-struct Fault {
-  const char* name;
-  const char* more;
-  const char* what;
-  const char* by;
-  const char* says;
+/// A faulty field in the scene of an open sea, where part of its text is replaced.
+struct OpenSeaFault {
+  test::FaultCase fault;
+  const char* what = "";
+  const char* by = "";
 };
-void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+void PrintTo(const OpenSeaFault& fault, std::ostream* out) { *out << fault.fault.name; }
 
-class SceneOpenSeaFault : public testing::TestWithParam<Fault> {};
+class SceneOpenSeaFault : public testing::TestWithParam<OpenSeaFault> {};
 TEST_P(SceneOpenSeaFault, NamesFieldAndWhatIsAllowed) {
-  const SceneResult result = read_open(GetParam().more, GetParam().what, GetParam().by);
+  const auto& [fault, what, by] = GetParam();
+  const SceneResult result = read_open(fault.text, what, by);
   EXPECT_FALSE(result);
-  EXPECT_THAT(result.report(), HasSubstr(GetParam().says));
+  EXPECT_THAT(result.faults, testing::Contains(testing::AllOf(HasSubstr(std::string(": ") + fault.field + ": "),
+                                                              HasSubstr(fault.says))));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Fields, SceneOpenSeaFault,
     testing::Values(
-        Fault{"WithoutOpenEdges", "", "patch_edges { x: OPEN y: OPEN }\n", "",
-              "open_sea: needs patch_edges that are OPEN along x or y"},
-        Fault{"OpenBelow", "", "x: OPEN y: OPEN", "x: OPEN y: OPEN z: OPEN",
-              "patch_edges.z: is OPEN; allowed for x and y"},
-        Fault{"PeriodicBelow", "", "x: OPEN y: OPEN", "x: OPEN y: OPEN z: PERIODIC",
-              "patch_edges.z: is PERIODIC; allowed"},
-        Fault{"OddSide", "", "max { x: 24 y: 20 z: 9", "max { x: 24.5 y: 20 z: 9",
-              "patch_edges.x: is OPEN, but the patch's side of 48.5 m is no whole number of spacings"},
-        Fault{"Hybrid", "solver { kind: HYBRID }", "", "",
-              "patch_edges: are OPEN; allowed with the solver CORRECTED only"},
-        Fault{"Support", "support_radius: 1.9", "", "", "support_radius: is 1.9; allowed with OPEN edges: 2"},
-        Fault{"TwoBlocks", "", "water { block", "water { block { min { x: 0 y: 0 z: 1 } max { x: 4 y: 4 z: 4 } } block",
-              "water.block: there are 2; allowed with OPEN edges: one"},
-        Fault{"SmallBlock", "", "max { x: 24 y: 20 z: 0", "max { x: 23 y: 20 z: 0",
-              "water.block: does not fill the patch"},
-        Fault{"OddDepth", "", "max { x: 24 y: 20 z: 0", "max { x: 24 y: 20 z: 0.5",
-              "water.block: is 5.5 spacings deep; allowed with OPEN edges: a whole number, at least 4"},
-        Fault{"Oil", "oil { }", "", "", "oil: is in a patch with OPEN edges"},
-        Fault{"WideZones", "", "zone_width: 8", "zone_width: 12.5", "leaves no room: the patch's side along y is 40 m"},
-        Fault{"NarrowZones", "", "zone_width: 8", "zone_width: 3",
-              "open_sea.zone_width: 3 is out of range; allowed: 4 to 100 m"},
-        Fault{"Shallow", "", "zone_width: 8", "zone_width: 8 depth: 4.5",
-              "open_sea.depth: 4.5 is out of range; allowed: 5 to 12000 m"},
-        Fault{"FollowsNothing", "", "zone_width: 8", "zone_width: 8 follow { }",
-              "open_sea.follow: has neither a body nor a track; allowed: exactly one"},
-        Fault{"FollowsBoth", "", "zone_width: 8", "zone_width: 8 follow { body: 1 track { speed: 1 course_deg: 0 } }",
-              "open_sea.follow: has a body and a track; allowed: exactly one"},
-        Fault{"FollowsNobody", "", "zone_width: 8", "zone_width: 8 follow { body: 7 }",
-              "open_sea.follow.body: 7 is no body of the scene; allowed: the id of one"},
-        Fault{"TooFast", "", "zone_width: 8", "zone_width: 8 follow { track { speed: 31 course_deg: 0 } }",
-              "open_sea.follow.track.speed: 31 is out of range; allowed: 0 to 30 m/s"},
-        Fault{"WithoutCourse", "", "zone_width: 8", "zone_width: 8 follow { track { speed: 3 } }",
-              "open_sea.follow.track.course_deg: is missing"}),
-    [](const auto& entry) { return entry.param.name; });
+        OpenSeaFault{{"WithoutOpenEdges", "", "open_sea", "needs patch_edges that are OPEN along x or y"},
+                     "patch_edges { x: OPEN y: OPEN }\n",
+                     ""},
+        OpenSeaFault{{"OpenBelow", "", "patch_edges.z", "is OPEN; allowed for x and y"},
+                     "x: OPEN y: OPEN",
+                     "x: OPEN y: OPEN z: OPEN"},
+        OpenSeaFault{{"PeriodicBelow", "", "patch_edges.z", "is PERIODIC; allowed"},
+                     "x: OPEN y: OPEN",
+                     "x: OPEN y: OPEN z: PERIODIC"},
+        OpenSeaFault{
+            {"OddSide", "", "patch_edges.x", "is OPEN, but the patch's side of 48.5 m is no whole number of spacings"},
+            "max { x: 24 y: 20 z: 9",
+            "max { x: 24.5 y: 20 z: 9"},
+        OpenSeaFault{
+            {"Hybrid", "solver { kind: HYBRID }", "patch_edges", "are OPEN; allowed with the solver CORRECTED only"}},
+        OpenSeaFault{{"Support", "support_radius: 1.9", "support_radius", "is 1.9; allowed with OPEN edges: 2"}},
+        OpenSeaFault{{"TwoBlocks", "", "water.block", "there are 2; allowed with OPEN edges: one"},
+                     "water { block",
+                     "water { block { min { x: 0 y: 0 z: 1 } max { x: 4 y: 4 z: 4 } } block"},
+        OpenSeaFault{{"SmallBlock", "", "water.block", "does not fill the patch"},
+                     "max { x: 24 y: 20 z: 0",
+                     "max { x: 23 y: 20 z: 0"},
+        OpenSeaFault{{"OddDepth", "", "water.block",
+                      "is 5.5 spacings deep; allowed with OPEN edges: a whole number, at least 4"},
+                     "max { x: 24 y: 20 z: 0",
+                     "max { x: 24 y: 20 z: 0.5"},
+        OpenSeaFault{{"Oil", "oil { }", "oil", "is in a patch with OPEN edges"}},
+        OpenSeaFault{{"WideZones", "", "open_sea.zone_width", "leaves no room: the patch's side along y is 40 m"},
+                     "zone_width: 8",
+                     "zone_width: 12.5"},
+        OpenSeaFault{{"NarrowZones", "", "open_sea.zone_width", "3 is out of range; allowed: 4 to 100 m"},
+                     "zone_width: 8",
+                     "zone_width: 3"},
+        OpenSeaFault{{"Shallow", "", "open_sea.depth", "4.5 is out of range; allowed: 5 to 12000 m"},
+                     "zone_width: 8",
+                     "zone_width: 8 depth: 4.5"},
+        OpenSeaFault{{"FollowsNothing", "", "open_sea.follow", "has neither a body nor a track; allowed: exactly one"},
+                     "zone_width: 8",
+                     "zone_width: 8 follow { }"},
+        OpenSeaFault{{"FollowsBoth", "", "open_sea.follow", "has a body and a track; allowed: exactly one"},
+                     "zone_width: 8",
+                     "zone_width: 8 follow { body: 1 track { speed: 1 course_deg: 0 } }"},
+        OpenSeaFault{{"FollowsNobody", "", "open_sea.follow.body", "7 is no body of the scene; allowed: the id of one"},
+                     "zone_width: 8",
+                     "zone_width: 8 follow { body: 7 }"},
+        OpenSeaFault{{"TooFast", "", "open_sea.follow.track.speed", "31 is out of range; allowed: 0 to 30 m/s"},
+                     "zone_width: 8",
+                     "zone_width: 8 follow { track { speed: 31 course_deg: 0 } }"},
+        OpenSeaFault{{"WithoutCourse", "", "open_sea.follow.track.course_deg", "is missing"},
+                     "zone_width: 8",
+                     "zone_width: 8 follow { track { speed: 3 } }"}),
+    [](const auto& entry) { return entry.param.fault.name; });
 
 }  // namespace
 }  // namespace pelagos

@@ -29,7 +29,7 @@ class OpenWaterTest : public testing::Test {
   const OpenWater& water() {
     scene_.particle_spacing = kSpacing;
     scene_.patch = {{-20, -10, -3}, {20, 10, 3}};
-    std::vector<std::string> faults;
+    Refusals faults;
     bodies_ = Bodies(pool_, scene_, 2.0 * kSpacing, faults);
     EXPECT_TRUE(faults.empty()) << faults.front();
     return water_.emplace(bodies_, patch_, std::array{0.0, 0.0}, kSpacing);

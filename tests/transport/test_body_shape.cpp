@@ -52,16 +52,16 @@ TEST(BodyShapeOnTheWire, WhatNoMeshHasIsRefused) {
     change(*surface);
     const wire::BodyShapeSample sample(*surface, 7, 99);
     const auto fault = wire::find_fault(sample.get());
-    return fault ? fault->text : "";
+    return fault ? to_string(*fault) : "";
   };
-  EXPECT_THAT(fault_of([](BodySurface& s) { s.triangles[3][1] = 4; }), HasSubstr("corners name a vertex"));
+  EXPECT_THAT(fault_of([](BodySurface& s) { s.triangles[3][1] = 4; }), HasSubstr("corners: name a vertex"));
   EXPECT_THAT(fault_of([](BodySurface& s) { s.triangles[0][0] = 0xFFFFFFFF; }), HasSubstr("corners"));
-  EXPECT_THAT(fault_of([](BodySurface& s) { s.vertices.clear(); }), HasSubstr("corners are of no vertices"));
+  EXPECT_THAT(fault_of([](BodySurface& s) { s.vertices.clear(); }), HasSubstr("corners: are of no vertices"));
   EXPECT_THAT(fault_of([](BodySurface& s) { s.vertices[2].y() = std::numeric_limits<float>::quiet_NaN(); }),
-              HasSubstr("vertices is nan"));
-  EXPECT_THAT(fault_of([](BodySurface& s) { s.low.x() = 5.0; }), HasSubstr("box_max is below box_min"));
+              HasSubstr("vertices: is nan"));
+  EXPECT_THAT(fault_of([](BodySurface& s) { s.low.x() = 5.0; }), HasSubstr("box_max: is below box_min"));
   EXPECT_THAT(fault_of([](BodySurface& s) { s.triangles.resize(BodySurface::kMostTriangles + 1); }),
-              HasSubstr("corners has 300003 items; allowed: at most 300000"));
+              HasSubstr("corners: has 300003 items; allowed: at most 300000"));
   EXPECT_EQ(fault_of([](BodySurface& s) { s.triangles.resize(BodySurface::kMostTriangles); }), "");
 }
 

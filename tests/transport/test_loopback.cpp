@@ -457,7 +457,7 @@ TEST_F(HostileWriter, EachKindOfFaultIsToldOnce) {
     return receiver_->counters().refused >= 20;
   }));
   const std::lock_guard lock(mutex);
-  const auto first = told.find("frame refused: record_bytes is not 20");
+  const auto first = told.find("frame refused: record_bytes: is not 20");
   EXPECT_NE(first, std::string::npos) << told;
   EXPECT_EQ(told.find("frame refused: record_bytes", first + 1), std::string::npos);
 }

@@ -90,7 +90,7 @@ TEST(SurfaceConversion, AnswersThatCannotBeAreRefused) {
   const wire::SurfaceAnswerSample answer({bad, ""}, wire::from_wire(sample.get()), 17);
   const auto fault = wire::find_fault(answer.get());
   ASSERT_TRUE(fault);
-  EXPECT_THAT(fault->text, HasSubstr("places[1].surface is inf"));
+  EXPECT_THAT(to_string(*fault), HasSubstr("places[1].surface: is inf"));
 }
 
 class SurfaceLoopback : public testing::Test {

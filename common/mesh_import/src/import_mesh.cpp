@@ -27,14 +27,16 @@ ImportedMesh import_mesh(const std::filesystem::path& file, const ImportOptions&
     read(lower_case(file.extension().string()), folder, options, builder);
     ImportedMesh mesh = builder.take();
     if (mesh.triangles.empty()) {
-      mesh.faults.emplace_back("has no triangles: there are no faces with an area");
+      mesh.faults.push_back({"", "has no triangles: there are no faces with an area"});
       mesh.vertices.clear();
     }
     return mesh;
   } catch (const std::bad_alloc&) {
-    refused.faults.emplace_back("there is not enough memory to read it");
+    refused.faults.push_back({"", "there is not enough memory to read it"});
+  } catch (const ImportFault& fault) {
+    refused.faults.push_back(fault.refusal());
   } catch (const std::exception& error) {
-    refused.faults.emplace_back(error.what());
+    refused.faults.push_back({"", error.what()});
   }
   return refused;
 }

@@ -27,7 +27,7 @@ using Kind = Token::Kind;
 
 /// Thrown and caught in this file alone: the first fault ends the walk.
 struct BadText {
-  FieldFault fault;
+  TextRefusal fault;
 };
 
 class Walk {

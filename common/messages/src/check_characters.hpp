@@ -10,8 +10,8 @@ namespace pelagos {
 
 /// A text in Protobuf's text format as its parser is to see it.
 struct CheckedText {
-  std::string text;                 ///< as many lines and columns as the original, numbers without zeros in front
-  std::optional<FieldFault> fault;  ///< the first thing that the parser would read otherwise than it was meant
+  std::string text;                  ///< as many lines and columns as the original, numbers without zeros in front
+  std::optional<TextRefusal> fault;  ///< the first thing that the parser would read otherwise than it was meant
 };
 
 /// Walks a text outside of its comments and strings. Protobuf takes 010 as octal: here zeros in front are taken out, so

@@ -50,7 +50,7 @@ std::string allowed_text(const Range& range) {
 
 }  // namespace
 
-FieldReader::FieldReader(const Message& message, FieldFaults& faults, std::string path,
+FieldReader::FieldReader(const Message& message, TextRefusals& faults, std::string path,
                          const google::protobuf::TextFormat::ParseInfoTree* locations, int line)
     : message_(&message), faults_(&faults), path_(std::move(path)), locations_(locations), line_(line) {
   note_unknown_fields();
@@ -111,7 +111,7 @@ void FieldReader::fault(const char* name, std::string what) const {
     const Field& descriptor = field(name);
     line = line_of(descriptor, descriptor.is_repeated() ? 0 : -1);
   }
-  faults_->push_back({line, 0, path_of(name), std::move(what)});
+  faults_->push_back({line, 0, {path_of(name), std::move(what)}});
 }
 
 bool FieldReader::check(const char* name, double value, const Range& range) const {

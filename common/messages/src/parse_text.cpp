@@ -32,7 +32,7 @@ class Collector : public google::protobuf::io::ErrorCollector {
     bool operator<(const Place& other) const { return line != other.line ? line < other.line : column < other.column; }
   };
   void AddError(int line, google::protobuf::io::ColumnNumber column, const std::string& message) override {
-    if (!error) error = FieldFault{line + 1, column + 1, "", message};
+    if (!error) error = TextRefusal{line + 1, column + 1, {"", message}};
   }
   /// The parser warns of an unknown field at the token that follows the field's name, quoting the name last.
   void AddWarning(int line, google::protobuf::io::ColumnNumber column, const std::string& message) override {
@@ -40,7 +40,7 @@ class Collector : public google::protobuf::io::ErrorCollector {
     const std::size_t first = last == std::string::npos || last == 0 ? std::string::npos : message.rfind('"', last - 1);
     if (first != std::string::npos) unknown[{line, column}] = message.substr(first + 1, last - first - 1);
   }
-  std::optional<FieldFault> error;
+  std::optional<TextRefusal> error;
   std::map<Place, std::string> unknown;
 };
 
@@ -122,16 +122,18 @@ bool is_hexadecimal(const Tokenizer::Token& token) {
 }
 
 /// What the parser would end in a stack overflow, or refuse without naming the field.
-std::optional<FieldFault> check_tokens(std::string_view text, const Descriptor* message) {
+std::optional<TextRefusal> check_tokens(std::string_view text, const Descriptor* message) {
   NestingScan scan(text, message);
   while (scan.next()) {
     if (scan.depth() > kDeepestNesting) {
-      return FieldFault{scan.token().line + 1, scan.token().column + 1, "",
-                        "messages nested too deeply; allowed: " + std::to_string(kDeepestNesting) + " levels"};
+      return TextRefusal{scan.token().line + 1,
+                         scan.token().column + 1,
+                         {"", "messages nested too deeply; allowed: " + std::to_string(kDeepestNesting) + " levels"}};
     }
     if (is_hexadecimal(scan.token()) && scan.wants_real())
-      return FieldFault{scan.token().line + 1, scan.token().column + 1, scan.field(),
-                        "is " + scan.token().text + " (hexadecimal); allowed: a decimal number"};
+      return TextRefusal{scan.token().line + 1,
+                         scan.token().column + 1,
+                         {scan.field(), "is " + scan.token().text + " (hexadecimal); allowed: a decimal number"}};
     scan.follow();
   }
   return std::nullopt;
@@ -156,9 +158,9 @@ std::string describe_unknown(const std::string& name, const Descriptor* message)
                          : "unknown field; did you mean \"" + nearest + "\"? allowed here: " + list;
 }
 
-FieldFaults place_unknown_fields(std::string_view text, const Descriptor* message,
-                                 const std::map<Collector::Place, std::string>& unknown) {
-  FieldFaults faults;
+TextRefusals place_unknown_fields(std::string_view text, const Descriptor* message,
+                                  const std::map<Collector::Place, std::string>& unknown) {
+  TextRefusals faults;
   NestingScan scan(text, message);
   bool more = true;
   while (more) {
@@ -166,8 +168,10 @@ FieldFaults place_unknown_fields(std::string_view text, const Descriptor* messag
     const auto found = unknown.find({scan.token().line, scan.token().column});
     if (found != unknown.end()) {
       const std::string& name = found->second;
-      faults.push_back({scan.token().line + 1, 0, scan.path().empty() ? name : scan.path() + "." + name,
-                        describe_unknown(name, scan.message())});
+      faults.push_back(
+          {scan.token().line + 1,
+           0,
+           {scan.path().empty() ? name : scan.path() + "." + name, describe_unknown(name, scan.message())}});
     }
     if (more) scan.follow();
   }
@@ -233,8 +237,8 @@ void parse_text(std::string_view original, google::protobuf::Message& message, P
   ArrayInputStream stream(text.data(), static_cast<int>(text.size()));
   if (!parser.Parse(&stream, &message) || collector.error) {
     out.readable = false;
-    FieldFault fault = collector.error.value_or(FieldFault{1, 1, "", "not a message in Protobuf text format"});
-    fault.what = explain(fault.what, *descriptor->file());
+    TextRefusal fault = collector.error.value_or(TextRefusal{1, 1, {"", "not a message in Protobuf text format"}});
+    fault.refusal.what = explain(fault.refusal.what, *descriptor->file());
     out.faults = {fault};
     return;
   }

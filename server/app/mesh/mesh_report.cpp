@@ -31,8 +31,9 @@ MeshFile load(const std::string& file, const MeshOptions& options) {
   if (const auto primitive = parse_primitive(file)) return {make_mesh(*primitive), {}};
   if (file.starts_with("primitive:"))
     return {{},
-            {file + ": is no shape; allowed: primitive:box:LENGTHxBREADTHxHEIGHT, primitive:sphere:RADIUS, "
-                    "primitive:cylinder:RADIUSxLENGTH, primitive:capsule:RADIUSxLENGTH, in metres, above 0"}};
+            {{file,
+              "is no shape; allowed: primitive:box:LENGTHxBREADTHxHEIGHT, primitive:sphere:RADIUS, "
+              "primitive:cylinder:RADIUSxLENGTH, primitive:capsule:RADIUSxLENGTH, in metres, above 0"}}};
   return read_mesh(file, options);
 }
 
@@ -42,10 +43,10 @@ Eigen::AlignedBox3d bounds_of(const TriangleMesh& mesh) {
   return box;
 }
 
-bool report_faults(const std::vector<std::string>& faults, std::ostream& out) {
+bool report_faults(const Refusals& faults, std::ostream& out) {
   if (faults.empty()) return false;
   line(out, "faults", fmt::format("{}", faults.size()));
-  for (const std::string& fault : faults) fmt::print(out, "  {}\n", fault);
+  for (const Refusal& fault : faults) fmt::print(out, "  {}\n", to_string(fault));
   return true;
 }
 
@@ -106,7 +107,7 @@ void report_water(const TriangleMesh& mesh, const MeshQuestions& questions, std:
 /// Of a closed mesh without faults. @return whether it can be a body
 bool report_solid(const std::string& name, const MeshFile& file, const MeshQuestions& questions, std::ostream& out) {
   MeshUnion united = unite_parts(file.mesh, file.origin);
-  for (std::string& fault : united.faults) fault.insert(0, name + ": ");  // as the server does
+  for (Refusal& fault : united.faults) fault = put_behind(name, ": ", fault);  // as the server does
   if (report_faults(united.faults, out)) return false;
   line(out, "watertight", "yes, no faults");
   line(out, "parts", count_parts(united.parts));
@@ -123,7 +124,7 @@ bool report_solid(const std::string& name, const MeshFile& file, const MeshQuest
 bool report_samples(const MeshFile& file, const MeshQuestions& questions, std::ostream& out) {
   const BodyShape shape =
       make_body_shape(file.mesh, questions.spacing, questions.inset, questions.options.kind, file.origin);
-  for (const std::string& fault : shape.faults) line(out, "cannot be sampled", fault);
+  for (const Refusal& fault : shape.faults) line(out, "cannot be sampled", to_string(fault));
   if (!shape.faults.empty()) return false;
   line(out, "samples",
        fmt::format("{} at a spacing of {:g} m, {:g} spacings inside", shape.samples.size(), questions.spacing,

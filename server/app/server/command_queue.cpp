@@ -18,11 +18,11 @@ void CommandQueue::insert(ScheduledCommand command) {
   scheduled_.insert(place, std::move(command));
 }
 
-std::optional<std::string> CommandQueue::submit(const Command& command, const std::string& source, TakeAnswer answer) {
+std::optional<Refusal> CommandQueue::submit(const Command& command, const std::string& source, TakeAnswer answer) {
   const std::scoped_lock lock(mutex_);
-  if (!closed_.empty()) return closed_;
+  if (!closed_.empty()) return Refusal{"", closed_};
   if (commands_.size() >= kCapacity)
-    return "too many commands are waiting; allowed: " + std::to_string(kCapacity) + "; send fewer";
+    return Refusal{"", "too many commands are waiting; allowed: " + std::to_string(kCapacity) + "; send fewer"};
   commands_.push_back({{command, source}, std::move(answer)});
   return std::nullopt;
 }
@@ -34,8 +34,8 @@ CommandQueue::Scheduled CommandQueue::schedule(const Command& command, double at
   answer.past = at < now_;
   if (answer.past) return answer;
   if (scheduled_.size() >= kMostScheduled || changes_.size() >= kCapacity) {
-    answer.refusal = "too many commands wait for their time; allowed: " + std::to_string(kMostScheduled) +
-                     "; cancel some, or wait for them";
+    answer.refusal = Refusal{"", "too many commands wait for their time; allowed: " + std::to_string(kMostScheduled) +
+                                     "; cancel some, or wait for them"};
     return answer;
   }
   answer.id = ++last_id_;

@@ -37,14 +37,14 @@ class CommandQueue {
   explicit CommandQueue(const std::vector<SceneEvent>& events);
 
   /// Takes a command for the next boundary. @return why it cannot be taken; then `answer` is not kept
-  std::optional<std::string> submit(const Command& command, const std::string& source, TakeAnswer answer = {});
+  std::optional<Refusal> submit(const Command& command, const std::string& source, TakeAnswer answer = {});
 
-  /// What schedule did: `id` > 0 if the command waits now; else the time has passed (`past`) or there is a refusal.
+  /// What schedule did: `id` > 0 if the command waits now; else the time has passed (`past`), or there is a refusal.
   struct Scheduled {
     std::uint64_t id = 0;
     bool past = false;
     double present_time = 0.0;  ///< s, of the last boundary
-    std::string refusal;
+    std::optional<Refusal> refusal;
   };
   /// Takes a command for the first boundary at or after `at` (s, simulated, finite).
   Scheduled schedule(const Command& command, double at, const std::string& source);

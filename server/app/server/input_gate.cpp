@@ -39,12 +39,12 @@ void InputGate::open(const std::shared_ptr<DdsParticipant>& participant, const D
   probes_ = std::make_unique<ProbeReceiver>(participant);
 }
 
-std::optional<std::string> InputGate::refuse_in_replay(const Command& command) const {
+std::optional<Refusal> InputGate::refuse_in_replay(const Command& command) const {
   if (!replay_ || steers_clock(command)) return std::nullopt;
-  return "a replay takes its commands from the log; allowed: pause, resume, step";
+  return Refusal{"", "a replay takes its commands from the log; allowed: pause, resume, step"};
 }
 
-std::optional<std::string> InputGate::submit(const Command& command, const std::string& source, TakeAnswer answer) {
+std::optional<Refusal> InputGate::submit(const Command& command, const std::string& source, TakeAnswer answer) {
   if (auto refusal = refuse_in_replay(command)) return refusal;
   if (!started_.load()) return submit_before_start(command, source, std::move(answer));
   return commands_.submit(command, source, std::move(answer));
@@ -61,8 +61,8 @@ std::optional<Refusal> InputGate::refuse_before_start(const Command& command) co
   return find_no_room(command, given);
 }
 
-std::optional<std::string> InputGate::submit_before_start(const Command& command, const std::string& source,
-                                                          TakeAnswer answer) {
+std::optional<Refusal> InputGate::submit_before_start(const Command& command, const std::string& source,
+                                                      TakeAnswer answer) {
   CommandAnswer news{0, refuse_before_start(command), 0};
   if (!news.refusal) {
     const CommandQueue::Scheduled waiting = commands_.schedule(command, 0.0, source);
@@ -76,10 +76,10 @@ std::optional<std::string> InputGate::submit_before_start(const Command& command
 
 ScheduleAnswer InputGate::schedule(const Command& command, double at, const std::string& source) {
   using Outcome = ScheduleAnswer::Outcome;
-  if (replay_) return {Outcome::kRefused, 0, 0.0, "a replay takes its commands from the log"};
+  if (replay_) return {Outcome::kRefused, 0, 0.0, {"", "a replay takes its commands from the log"}};
   const CommandQueue::Scheduled answer = commands_.schedule(command, at, source);
   if (answer.past) return {Outcome::kPast, 0, answer.present_time, {}};
-  if (answer.id == 0) return {Outcome::kRefused, 0, answer.present_time, answer.refusal};
+  if (answer.id == 0) return {Outcome::kRefused, 0, answer.present_time, answer.refusal.value()};
   return {Outcome::kTaken, answer.id, answer.present_time, {}};
 }
 
@@ -108,8 +108,8 @@ void InputGate::take_requests(Batch& batch) {
   probes_->take(taken_requests_);
   for (const ProbeRequest& request : taken_requests_) {
     const std::string source = bridge_name(request.sender);
-    std::optional<std::string> refusal = refuse_in_replay(request.command);
-    if (!refusal && !request.fault.empty()) refusal = request.fault;
+    std::optional<Refusal> refusal = refuse_in_replay(request.command);
+    if (!refusal && !request.fault.empty()) refusal = Refusal{"", request.fault};
     if (!refusal) refusal = commands_.submit(request.command, source);
     if (refusal) batch.refused.push_back({{request.command, source}, *refusal});
   }

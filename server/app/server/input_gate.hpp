@@ -34,7 +34,7 @@ class InputGate {
   // From any thread: what stations ask. Before the first boundary a command without a time is answered at once: refused
   // where it does not fit the scene or speaks of what will not be there, else scheduled for that boundary, which may
   // still refuse it for what only the world tells.
-  std::optional<std::string> submit(const Command& command, const std::string& source, TakeAnswer answer = {});
+  std::optional<Refusal> submit(const Command& command, const std::string& source, TakeAnswer answer = {});
   ScheduleAnswer schedule(const Command& command, double at, const std::string& source);
   bool cancel(std::uint64_t id, const std::string& source) { return commands_.cancel(id, source); }
   [[nodiscard]] std::vector<ScheduledCommand> scheduled() const { return commands_.scheduled(); }
@@ -43,7 +43,7 @@ class InputGate {
   /// What a request asked that cannot be asked.
   struct Refused {
     GivenCommand given;
-    std::string why;
+    Refusal why;
   };
   /// What is due at a boundary.
   struct Batch {
@@ -65,9 +65,9 @@ class InputGate {
   [[nodiscard]] std::uint64_t dropped_requests() const { return probes_ ? probes_->dropped() : 0; }
 
  private:
-  [[nodiscard]] std::optional<std::string> refuse_in_replay(const Command& command) const;
+  [[nodiscard]] std::optional<Refusal> refuse_in_replay(const Command& command) const;
   [[nodiscard]] std::optional<Refusal> refuse_before_start(const Command& command) const;
-  std::optional<std::string> submit_before_start(const Command& command, const std::string& source, TakeAnswer answer);
+  std::optional<Refusal> submit_before_start(const Command& command, const std::string& source, TakeAnswer answer);
   void take_requests(Batch& batch);
   void take_poses(Batch& batch);
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "text/refusal.hpp"
 #include "values/command.hpp"
-#include "values/refusal.hpp"
 
 namespace pelagos {
 

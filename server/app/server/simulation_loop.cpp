@@ -94,7 +94,7 @@ void SimulationLoop::take_inputs() {
                                           c.id, c.at, describe_command(c.command).text));
   }
   for (const InputGate::Refused& refused : batch_.refused)
-    tell_refusal(refused.given.source, describe_command(refused.given.command).text + ": " + refused.why);
+    tell_refusal(refused.given.source, describe_command(refused.given.command).text + ": " + to_string(refused.why));
   watches_.look_at_requests(parts_.gate.dropped_requests(), parts_.announcer);
   if (batch_.inputs.empty()) return;
   std::vector<CommandOutcome> outcomes = world.take(batch_.inputs);
@@ -201,7 +201,7 @@ void SimulationLoop::govern(double frame_seconds) {
   if (next) {
     const bool coarser = next->max_step > before.max_step || next->density_tolerance > before.density_tolerance;
     const auto refused = parts_.gate.submit(SetEffort{*next, (coarser ? "coarser, " : "finer, ") + cost}, "governor");
-    if (refused) log_warning("governor: " + *refused);
+    if (refused) log_warning("governor: " + to_string(*refused));
   }
   if (governor_->over_budget() == was_over) return;
   if (was_over) {

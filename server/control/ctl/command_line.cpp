@@ -109,9 +109,9 @@ std::string read_command_text(const std::string& text, TimedCommand& command) {
   ParsedText parsed;
   parse_text(text, command, parsed);
   if (parsed.faults.empty()) return "";
-  const FieldFault& fault = parsed.faults.front();
+  const TextRefusal& fault = parsed.faults.front();
   const std::string place = fault.column > 0 ? " character " + std::to_string(fault.column) + ":" : "";
-  return "command:" + place + " " + (fault.field.empty() ? "" : fault.field + ": ") + fault.what;
+  return "command:" + place + " " + to_string(fault.refusal);
 }
 
 /// --off or a time stands alone; everything else says what to change.

@@ -86,7 +86,7 @@ class Station : public std::enable_shared_from_this<Station> {
   /// @param path  of the command in the request, for what is refused later
   void submit(std::uint64_t id, const std::string& path, const Command& command);
   void schedule(std::uint64_t id, const Command& command, double at);
-  void refuse_values(std::uint64_t id, const FieldFaults& faults);
+  void refuse_values(std::uint64_t id, const TextRefusals& faults);
   /// @param scheduled_id  0: the command was not scheduled
   void accept(std::uint64_t id, std::uint64_t scheduled_id = 0);
 

@@ -13,7 +13,7 @@ using proto::v1::Request;
 using proto::v1::ServerMessage;
 
 void Station::answer_command(const Request& request) {
-  FieldFaults faults;
+  TextRefusals faults;
   const FieldReader entry = FieldReader(request, faults).child("command");
   for (const char* field : {"before_step", "source"})
     if (entry.has(field)) entry.fault(field, "is the server's to tell; allowed in command logs only");
@@ -40,7 +40,7 @@ void Station::answer_schedule(const Request& request) {
 }
 
 void Station::answer_cancel(const Request& request) {
-  FieldFaults faults;
+  TextRefusals faults;
   const FieldReader reader = FieldReader(request, faults).child("cancel_scheduled");
   std::uint64_t id = 0;
   reader.require("id");
@@ -80,7 +80,7 @@ std::function<void(ServerMessage, bool)> Station::reply_later(const Reply& reply
 
 void Station::submit(std::uint64_t id, const std::string& path, const Command& command) {
   const Reply reply = expect_reply();
-  std::optional<std::string> refusal;
+  std::optional<Refusal> refusal;
   try {
     refusal = context_.hooks.submit(command, name_, [give = reply_later(reply), id, path](const CommandAnswer& news) {
       give(reply_to(id, path, news), news.refusal.has_value());
@@ -89,7 +89,7 @@ void Station::submit(std::uint64_t id, const std::string& path, const Command& c
     replies_.pop_back();
     throw;
   }
-  if (refusal) settle(reply, error_message(id, Error::REFUSED, *refusal));
+  if (refusal) settle(reply, error_message(id, Error::REFUSED, to_string(*refusal)));
 }
 
 void Station::schedule(std::uint64_t id, const Command& command, double at) {
@@ -98,20 +98,22 @@ void Station::schedule(std::uint64_t id, const Command& command, double at) {
     case ScheduleAnswer::Outcome::kTaken:
       return accept(id, answer.id);
     case ScheduleAnswer::Outcome::kRefused:
-      return send(error_message(id, Error::REFUSED, answer.reason));
+      return send(error_message(id, Error::REFUSED, to_string(answer.refusal)));
     case ScheduleAnswer::Outcome::kPast:
-      return refuse_values(id, {{0, 0, "command.at",
-                                 format_number(at) + " s has passed; the present simulated time is " +
-                                     format_number(answer.present_time) + " s; allowed: that or later"}});
+      return refuse_values(id,
+                           {{0,
+                             0,
+                             {"command.at", format_number(at) + " s has passed; the present simulated time is " +
+                                                format_number(answer.present_time) + " s; allowed: that or later"}}});
   }
 }
 
-void Station::refuse_values(std::uint64_t id, const FieldFaults& faults) {
+void Station::refuse_values(std::uint64_t id, const TextRefusals& faults) {
   ++context_.counters.invalid;
   valid_ = false;
   std::string text;
-  for (const FieldFault& fault : faults) text += (text.empty() ? "" : "; and ") + fault.field + ": " + fault.what;
-  send(error_message(id, Error::INVALID_VALUE, text, faults.empty() ? "" : faults.front().field));
+  for (const TextRefusal& fault : faults) text += (text.empty() ? "" : "; and ") + to_string(fault.refusal);
+  send(error_message(id, Error::INVALID_VALUE, text, faults.empty() ? "" : faults.front().refusal.field));
 }
 
 void Station::accept(std::uint64_t id, std::uint64_t scheduled_id) {

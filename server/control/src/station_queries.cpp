@@ -11,7 +11,7 @@ using proto::v1::Request;
 using proto::v1::ServerMessage;
 
 void Station::answer_wind_query(const Request& request) {
-  FieldFaults faults;
+  TextRefusals faults;
   const std::vector<Eigen::Vector3d> places = read_places(FieldReader(request, faults).child("query_wind"));
   if (!faults.empty()) return refuse_values(request.id(), faults);
   ServerMessage reply;
@@ -33,7 +33,7 @@ ServerMessage reply_to(std::uint64_t id, const SurfaceNews& news) {
 }  // namespace
 
 void Station::answer_surface_query(const Request& request) {
-  FieldFaults faults;
+  TextRefusals faults;
   const FieldReader reader = FieldReader(request, faults).child("query_surface");
   const SurfaceQuery query = read_surface_query(request.query_surface(), reader);
   if (!faults.empty()) return refuse_values(request.id(), faults);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "values/refusal.hpp"
+#include "text/refusal.hpp"
 
 namespace pelagos {
 

@@ -139,8 +139,9 @@ BodyShape make_body_shape(const TriangleMesh& given, double spacing, std::option
   const TriangleMesh& mesh = shape.mesh;
   const double step = kCandidateSpacing * spacing;
   if (shape.faults.empty() && !(count_surface_points(mesh, step) <= static_cast<double>(kMostCandidates)))
-    shape.faults.push_back("the surface of " + std::to_string(mesh_area(mesh)) + " m^2 is too large to sample at " +
-                           std::to_string(spacing) + " m: raise particle_spacing or mend mesh_scale");
+    shape.faults.push_back({"", "the surface of " + std::to_string(mesh_area(mesh)) +
+                                    " m^2 is too large to sample at " + std::to_string(spacing) +
+                                    " m: raise particle_spacing or mend mesh_scale"});
   if (!shape.faults.empty()) return shape;
 
   shape.inset = inset.value_or(default_sample_inset(mesh));
@@ -153,7 +154,8 @@ BodyShape make_body_shape(const TriangleMesh& given, double spacing, std::option
     shape.inward.push_back(candidates.inward[chosen].cast<float>());
     shape.reach = std::max(shape.reach, candidates.points[chosen].norm());
   }
-  if (shape.samples.empty()) shape.faults.push_back("no place for boundary samples: the body is too small or too thin");
+  if (shape.samples.empty())
+    shape.faults.push_back({"", "no place for boundary samples: the body is too small or too thin"});
   return shape;
 }
 
@@ -167,8 +169,8 @@ BodyShape load_body_shape(const std::string& path, const MeshOptions& options, d
   }
   shape = make_body_shape(file.mesh, spacing, inset, options.kind, file.origin);
   shape.notes.insert(shape.notes.begin(), file.notes.begin(), file.notes.end());
-  for (std::vector<std::string>* lines : {&shape.faults, &shape.notes})
-    for (std::string& line : *lines) line.insert(0, path + ": ");
+  for (Refusal& fault : shape.faults) fault = put_behind(path, ": ", fault);
+  for (std::string& note : shape.notes) note.insert(0, path + ": ");
   return shape;
 }
 

@@ -29,12 +29,12 @@ Eigen::Vector3d size_of(const TriangleMesh& mesh) {
   return box.sizes();
 }
 
-void check_numbers(const TriangleMesh& mesh, const MeshOrigin& origin, std::vector<std::string>& faults) {
+void check_numbers(const TriangleMesh& mesh, const MeshOrigin& origin, Refusals& faults) {
   FaultList absurd("corner out of range");
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const std::uint32_t vertex : mesh.triangles[t]) {
       if (vertex >= mesh.vertices.size()) {
-        faults.push_back("a triangle names vertex " + std::to_string(vertex) + " of none");
+        faults.push_back({"", "a triangle names vertex " + std::to_string(vertex) + " of none"});
         return;
       }
       const Eigen::Vector3d& corner = mesh.vertices[vertex];
@@ -53,7 +53,7 @@ bool are_one_polygon(const MeshOrigin& origin, std::size_t a, std::size_t b) {
   return std::max(a, b) < origin.part.size() && origin.part[a] == origin.part[b] && origin.place[a] == origin.place[b];
 }
 
-void check_areas(const TriangleMesh& mesh, const MeshOrigin& origin, std::vector<std::string>& faults) {
+void check_areas(const TriangleMesh& mesh, const MeshOrigin& origin, Refusals& faults) {
   const double least = kLeastArea * size_of(mesh).squaredNorm();
   FaultList degenerate("degenerate triangle");
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -65,7 +65,7 @@ void check_areas(const TriangleMesh& mesh, const MeshOrigin& origin, std::vector
 }
 
 void check_edges(const TriangleMesh& mesh, std::span<const EdgeUse> uses, MeshKind kind, const MeshOrigin& origin,
-                 std::vector<std::string>& faults) {
+                 Refusals& faults) {
   FaultList open("open edge"), shared("edge shared by too many triangles");
   const auto place_of = [&](const EdgeUse& use) {
     return "from " + text_of(mesh.vertices[use.low]) + " to " + text_of(mesh.vertices[use.high]);
@@ -83,10 +83,9 @@ void check_edges(const TriangleMesh& mesh, std::span<const EdgeUse> uses, MeshKi
   });
   open.append_to(faults);
   if (!open.empty())
-    faults.emplace_back(
-        "open edge: close the surface there. A mesh that is one side of something larger, as a sea bed is, may have "
-        "open "
-        "edges where its body is STATIC and says open: true (pelagos-mesh --open)");
+    faults.push_back({"open edge",
+                      "close the surface there. A mesh that is one side of something larger, as a sea bed is, may have "
+                      "open edges where its body is STATIC and says open: true (pelagos-mesh --open)"});
   shared.append_to(faults);
 }
 
@@ -164,12 +163,12 @@ class Orientation {
 };
 
 void check_orientation(const TriangleMesh& mesh, std::span<const EdgePair> pairs, const MeshOrigin& origin,
-                       std::vector<std::string>& faults) {
+                       Refusals& faults) {
   const Orientation orientation(mesh, pairs);
   if (orientation.one_sided()) {
-    faults.emplace_back(
-        "the surface has a single side, as a Moebius strip: no choice of its triangles' order makes an "
-        "inside and an outside");
+    faults.push_back({"",
+                      "the surface has a single side, as a Moebius strip: no choice of its triangles' order makes an "
+                      "inside and an outside"});
     return;
   }
   FaultList inverted("inverted triangle");
@@ -186,7 +185,7 @@ void check_orientation(const TriangleMesh& mesh, std::span<const EdgePair> pairs
 
 /// Each part must enclose a volume: a positive one, unless it is a cavity of others.
 void check_parts(const TriangleMesh& mesh, std::span<const EdgePair> pairs, const MeshOrigin& origin,
-                 std::vector<std::string>& faults) {
+                 Refusals& faults) {
   const MeshShells shells = find_shells(mesh.triangles.size(), pairs);
   std::vector<double> volume(shells.first.size(), 0.0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -199,9 +198,9 @@ void check_parts(const TriangleMesh& mesh, std::span<const EdgePair> pairs, cons
 
 }  // namespace
 
-std::vector<std::string> find_mesh_faults(const TriangleMesh& mesh, MeshKind kind, const MeshOrigin& origin) {
-  if (mesh.vertices.empty() || mesh.triangles.empty()) return {"the mesh has no triangles"};
-  std::vector<std::string> faults;
+Refusals find_mesh_faults(const TriangleMesh& mesh, MeshKind kind, const MeshOrigin& origin) {
+  if (mesh.vertices.empty() || mesh.triangles.empty()) return {{"", "the mesh has no triangles"}};
+  Refusals faults;
   check_numbers(mesh, origin, faults);
   if (!faults.empty()) return faults;
   check_areas(mesh, origin, faults);

@@ -53,7 +53,7 @@ void drop_collapsed(MeshFile& file) {
 MeshFile read_checked(const std::string& path, const MeshOptions& options) {
   MeshFile file;
   if (!(options.scale > 0.0) || !std::isfinite(options.scale)) {
-    file.faults.push_back("scale " + std::to_string(options.scale) + ": must be a finite number above 0");
+    file.faults.push_back({"scale", std::to_string(options.scale) + "; allowed: a finite number above 0"});
   } else {
     ImportedMesh imported = import_mesh(path);
     file.faults = std::move(imported.faults);
@@ -70,9 +70,10 @@ MeshFile read_checked(const std::string& path, const MeshOptions& options) {
     mend_flat_triangles(file.mesh, file.origin);
     if (options.kind == MeshKind::kClosed) divide_at_rim_points(file.mesh, file.origin, kOnEdgePart * size);
     file.faults = find_mesh_faults(file.mesh, options.kind, file.origin);
-    if (!file.faults.empty()) file.faults.insert(file.faults.end(), file.notes.begin(), file.notes.end());
+    if (!file.faults.empty())
+      for (const std::string& note : file.notes) file.faults.push_back({"", note});
   }
-  for (std::string& fault : file.faults) fault.insert(0, path + ": ");
+  for (Refusal& fault : file.faults) fault = put_behind(path, ": ", fault);
   return file;
 }
 
@@ -82,7 +83,7 @@ MeshFile read_mesh(const std::string& path, const MeshOptions& options) {
   try {
     return read_checked(path, options);
   } catch (const std::exception& error) {
-    return {{}, {path + ": " + error.what()}};
+    return {{}, {{path, error.what()}}};
   }
 }
 

@@ -21,10 +21,16 @@ std::string name_of(const MeshOrigin& origin, const MeshPart& part) {
 
 }  // namespace
 
-void FaultList::append_to(std::vector<std::string>& faults) const {
+void FaultList::append_to(Refusals& faults) const {
   faults.insert(faults.end(), shown_.begin(), shown_.end());
   if (count_ > kShown)
-    faults.push_back(kind_ + ": " + std::to_string(count_ - kShown) + " more, " + std::to_string(count_) + " in all");
+    faults.push_back({kind_, std::to_string(count_ - kShown) + " more, " + std::to_string(count_) + " in all"});
+}
+
+void FaultList::append_to(std::vector<std::string>& notes) const {
+  Refusals lines;
+  append_to(lines);
+  for (const Refusal& line : lines) notes.push_back(to_string(line));
 }
 
 std::string words_of_flat_part(const MeshOrigin& origin, const MeshPart& part) {
@@ -39,17 +45,16 @@ std::string words_of_inward_part(const MeshOrigin& origin, const MeshPart& part,
                  : "lies in no part that it could be a cavity of; reverse the order of its triangles' corners");
 }
 
-std::string words_of_turned_file(double volume) {
-  return "shell facing inwards: the whole mesh is inside out, it encloses " + digits(volume) +
-         " m^3; reverse the order of the corners of all its triangles";
+Refusal words_of_turned_file(double volume) {
+  return {"shell facing inwards", "the whole mesh is inside out, it encloses " + digits(volume) +
+                                      " m^3; reverse the order of the corners of all its triangles"};
 }
 
-std::string words_of_too_much_work(std::size_t parts) {
-  return "its " + std::to_string(parts) +
-         " parts cross each other in too many places to be united; allowed: as many as can be cut within about a "
-         "second, some hundred thousand triangles that cross a few others each. Unite the parts in a modelling "
-         "program, "
-         "or give them fewer triangles";
+Refusal words_of_too_much_work(std::size_t parts) {
+  return {"", "its " + std::to_string(parts) +
+                  " parts cross each other in too many places to be united; allowed: as many as can be cut within "
+                  "about a second, some hundred thousand triangles that cross a few others each. Unite the parts in a "
+                  "modelling program, or give them fewer triangles"};
 }
 
 std::vector<std::string> union_notes(const TriangleMesh& mesh, const MeshOrigin& origin, const MeshUnion& united) {

@@ -184,7 +184,7 @@ CommandLogResult read_command_log_text(std::string_view text, const std::string&
   CommandLog log;
   log.cut_off = leave_out_cut_line(text);
   parse_text(text, message, parsed);
-  FieldFaults faults = parsed.faults;
+  TextRefusals faults = parsed.faults;
   if (parsed.readable) {
     const FieldReader reader(message, faults, "", &parsed.locations, 1);
     log.header = read_header(reader);

@@ -10,14 +10,14 @@ namespace {
 
 constexpr std::size_t kLargestFile = 1 << 20;
 
-SceneResult refuse(FieldFaults faults, const std::string& source_name) {
+SceneResult refuse(TextRefusals faults, const std::string& source_name) {
   SceneResult result;
   result.faults = describe_faults(std::move(faults), source_name);
   return result;
 }
 
 SceneResult refuse(const std::string& what, const std::string& source_name) {
-  return refuse(FieldFaults{{0, 0, "", what}}, source_name);
+  return refuse(TextRefusals{{0, 0, {"", what}}}, source_name);
 }
 
 SceneSource source_of(const std::string& source_name, const SceneReadOptions& options) {
@@ -51,7 +51,7 @@ SceneResult read_scene_text(std::string_view text, const std::string& source_nam
   parse_text(text, message, parsed);
   if (!parsed.readable) return refuse(parsed.faults, source_name);
 
-  FieldFaults faults = parsed.faults;
+  TextRefusals faults = parsed.faults;
   const FieldReader reader(message, faults, "", &parsed.locations, 1);
   Scene scene = validate_scene(reader, source_of(source_name, options));
   if (!faults.empty()) return refuse(faults, source_name);
@@ -65,7 +65,7 @@ SceneResult read_scene_message(std::string_view bytes, const std::string& source
   if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
     return refuse("these bytes are not a scene message", source_name);
   }
-  FieldFaults faults;
+  TextRefusals faults;
   const FieldReader reader(message, faults);
   Scene scene = validate_scene(reader, source_of(source_name, options));
   if (!faults.empty()) return refuse(faults, source_name);

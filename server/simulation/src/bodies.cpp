@@ -90,7 +90,7 @@ constexpr double kHullOverlap = 0.5;  ///< spacings that a body may stand in ano
 
 }  // namespace
 
-Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::vector<std::string>& faults)
+Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, Refusals& faults)
     : spacing_(scene.particle_spacing) {
   for (const BodySettings& settings : scene.bodies) {
     Body body;
@@ -342,19 +342,22 @@ void Bodies::receive(double dt, const FluidState& fluid) {
 }
 
 /// A body that starts in the hollow of another is apart from its mesh, but not from its convex hull.
-std::vector<std::string> Bodies::contact_faults(const Scene& scene) {
-  std::vector<std::string> faults;
+Refusals Bodies::contact_faults(const Scene& scene) {
+  Refusals faults;
   if (!contacts_) return faults;
   place_contacts();
   const std::vector<PlacedShape> shapes = placed();
   for (const auto& [pair, depth] : contacts_->hull_overlaps(kHullOverlap * scene.particle_spacing)) {
     const bool first = bodies_[pair[0]].free && hollow_share(shapes[pair[0]].shape->mesh) > 0.0;
     const PlacedShape &hollow = shapes[pair[first ? 0 : 1]], &other = shapes[pair[first ? 1 : 0]];
-    faults.push_back(fmt::format(
-        "{}: a body that is free touches others as the convex hull of its mesh, and {} stands {:.2g} m deep in that "
-        "hull: the two would be thrown apart; allowed: hulls apart at the start, or drive STATIC or POSE for {}, which "
-        "then touches as its mesh is",
-        hollow.name(), other.name(), depth, hollow.name()));
+    faults.push_back(
+        {hollow.name(),
+         fmt::format(
+             "a body that is free touches others as the convex hull of its mesh, and {} stands {:.2g} m deep in that "
+             "hull: the two would be thrown apart; allowed: hulls apart at the start, or drive STATIC or POSE for {}, "
+             "which "
+             "then touches as its mesh is",
+             other.name(), depth, hollow.name())});
   }
   return faults;
 }

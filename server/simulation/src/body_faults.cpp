@@ -32,8 +32,7 @@ Box sea_of(const Scene& scene) {
   return sea;
 }
 
-void check_in_patch(const Scene& scene, double support_radius, const PlacedShape& body,
-                    std::vector<std::string>& faults) {
+void check_in_patch(const Scene& scene, double support_radius, const PlacedShape& body, Refusals& faults) {
   const auto& samples = body.shape->samples;
   const Box water = body.settings->drive == BodyDrive::kStatic ? scene.patch : sea_of(scene);
   const bool reached = std::any_of(samples.begin(), samples.end(), [&](const Eigen::Vector3f& sample) {
@@ -41,8 +40,9 @@ void check_in_patch(const Scene& scene, double support_radius, const PlacedShape
   });
   if (reached) return;
   const Eigen::AlignedBox3d place = body.place();
-  faults.push_back("its surface lies outside the patch, at " + describe(place.min()) + " to " + describe(place.max()) +
-                   " m; allowed: some of it within " + describe(scene.patch.min) + " to " + describe(scene.patch.max));
+  faults.push_back({"", "its surface lies outside the patch, at " + describe(place.min()) + " to " +
+                            describe(place.max()) + " m; allowed: some of it within " + describe(scene.patch.min) +
+                            " to " + describe(scene.patch.max)});
 }
 
 /// m, between a body and the nearer face of the patch across an axis; negative: it reaches beyond.
@@ -51,7 +51,7 @@ double room_across(const Scene& scene, const Eigen::AlignedBox3d& place, int axi
 }
 
 /// A free body that stood in a wall would be pushed out of it with a bang.
-void check_walls(const Scene& scene, const PlacedShape& body, std::vector<std::string>& faults) {
+void check_walls(const Scene& scene, const PlacedShape& body, Refusals& faults) {
   if (body.settings->drive != BodyDrive::kFree) return;
   const Eigen::AlignedBox3d place = body.place();
   for (int axis = 0; axis < 3; ++axis) {
@@ -59,23 +59,23 @@ void check_walls(const Scene& scene, const PlacedShape& body, std::vector<std::s
     if (edge == PatchEdge::kPeriodic || edge == PatchEdge::kOpen) continue;
     const double room = room_across(scene, place, axis);
     if (room >= -kTouching * scene.particle_spacing) continue;
-    faults.push_back("stands in a wall of the tank: it reaches " + digits(-room) + " m beyond the face across " +
-                     std::string(1, "xyz"[axis]) + "; allowed for a FREE body: all of it inside the patch, " +
-                     describe(scene.patch.min) + " to " + describe(scene.patch.max));
+    faults.push_back({"", "stands in a wall of the tank: it reaches " + digits(-room) + " m beyond the face across " +
+                              std::string(1, "xyz"[axis]) + "; allowed for a FREE body: all of it inside the patch, " +
+                              describe(scene.patch.min) + " to " + describe(scene.patch.max)});
     return;
   }
 }
 
 /// A body has no image beyond periodic faces.
-void check_faces(const Scene& scene, double support_radius, const PlacedShape& body, std::vector<std::string>& faults) {
+void check_faces(const Scene& scene, double support_radius, const PlacedShape& body, Refusals& faults) {
   const Eigen::AlignedBox3d place = body.place();
   for (int axis = 0; axis < 3; ++axis) {
     if (scene.patch_edges[static_cast<std::size_t>(axis)] != PatchEdge::kPeriodic) continue;
     const double room = room_across(scene, place, axis);
     if (room >= support_radius) continue;
-    faults.push_back("reaches to " + digits(room) + " m from a periodic face across " + std::string(1, "xyz"[axis]) +
-                     "; allowed: at least a support radius, " + digits(support_radius) +
-                     " m, since it has no image beyond");
+    faults.push_back({"", "reaches to " + digits(room) + " m from a periodic face across " +
+                              std::string(1, "xyz"[axis]) + "; allowed: at least a support radius, " +
+                              digits(support_radius) + " m, since it has no image beyond"});
     return;
   }
 }
@@ -91,15 +91,16 @@ bool stands_in_water(const Scene& scene, const Eigen::Vector3d& x) {
 }
 
 /// Water would run behind an open mesh where its rim stands in it.
-void check_rim(const Scene& scene, const PlacedShape& body, std::vector<std::string>& faults) {
+void check_rim(const Scene& scene, const PlacedShape& body, Refusals& faults) {
   for (const auto& [from, to] : body.shape->rim) {
     const Eigen::Vector3d a = body.to_world(from), b = body.to_world(to);
     const double parts = std::ceil((b - a).norm() / scene.particle_spacing);
     for (double part = 0.0; part <= parts; part += 1.0) {
       const Eigen::Vector3d x = a + part / parts * (b - a);
       if (!stands_in_water(scene, x)) continue;
-      faults.push_back("the rim of its open mesh stands in water at " + describe(x) +
-                       " m, which would run behind it; allowed: rims at the patch's faces or above the water");
+      faults.push_back(
+          {"", "the rim of its open mesh stands in water at " + describe(x) +
+                   " m, which would run behind it; allowed: rims at the patch's faces or above the water"});
       return;
     }
   }
@@ -108,18 +109,19 @@ void check_rim(const Scene& scene, const PlacedShape& body, std::vector<std::str
 /// Mean densities beyond these shares of the water's are not known to be stable.
 constexpr double kLightest = 0.02, kHeaviest = 20.0;
 
-void check_mass(const Scene& scene, const PlacedShape& body, std::vector<std::string>& faults) {
+void check_mass(const Scene& scene, const PlacedShape& body, Refusals& faults) {
   const MassSettings& settings = body.settings->mass;
   if (!is_free(body.settings->drive)) return;
   const MassProperties& solid = body.shape->solid;
   const double share = body_mass(settings, solid).mass / body.shape->displacement / scene.water.rest_density;
   if (!(share >= kLightest && share <= kHeaviest))
-    faults.push_back("its mean density is " + digits(share) +
-                     " times that of the water; allowed: " + digits(kLightest) + " to " + digits(kHeaviest) +
-                     " (its mesh encloses " + digits(body.shape->displacement) + " m^3)");
+    faults.push_back({"", "its mean density is " + digits(share) +
+                              " times that of the water; allowed: " + digits(kLightest) + " to " + digits(kHeaviest) +
+                              " (its mesh encloses " + digits(body.shape->displacement) + " m^3)"});
   if (settings.centre && !body.shape->bounding_box.contains(*settings.centre))
-    faults.push_back("its centre of mass " + describe(*settings.centre) + " m lies outside its mesh, " +
-                     describe(body.shape->bounding_box.min()) + " to " + describe(body.shape->bounding_box.max()));
+    faults.push_back({"", "its centre of mass " + describe(*settings.centre) + " m lies outside its mesh, " +
+                              describe(body.shape->bounding_box.min()) + " to " +
+                              describe(body.shape->bounding_box.max())});
 }
 
 /// How many samples of a body are inside the other.
@@ -132,13 +134,14 @@ std::size_t samples_inside(const PlacedShape& body, const PlacedShape& other) {
   }));
 }
 
-void check_overlap(const PlacedShape& body, const PlacedShape& other, std::vector<std::string>& faults) {
+void check_overlap(const PlacedShape& body, const PlacedShape& other, Refusals& faults) {
   const std::size_t inside = samples_inside(body, other), all = body.shape->samples.size();
   const bool both_static = body.settings->drive == BodyDrive::kStatic && other.settings->drive == BodyDrive::kStatic;
   if (inside == 0 || (both_static && inside < all)) return;
-  faults.push_back("stands in " + other.name() + ": " + std::to_string(inside) + " of its " + std::to_string(all) +
-                   " boundary samples are inside it; allowed: " +
-                   (both_static ? "static bodies that stand in one another in part" : "bodies apart at the start"));
+  faults.push_back(
+      {"", "stands in " + other.name() + ": " + std::to_string(inside) + " of its " + std::to_string(all) +
+               " boundary samples are inside it; allowed: " +
+               (both_static ? "static bodies that stand in one another in part" : "bodies apart at the start")});
 }
 
 }  // namespace
@@ -148,10 +151,10 @@ bool is_within_reach(const Box& patch, const Eigen::Vector3d& world, double supp
          (world.array() <= patch.max.array() + support_radius).all();
 }
 
-std::vector<std::string> body_faults(const Scene& scene, double support_radius, std::span<const PlacedShape> bodies) {
-  std::vector<std::string> all;
+Refusals body_faults(const Scene& scene, double support_radius, std::span<const PlacedShape> bodies) {
+  Refusals all;
   for (const PlacedShape& body : bodies) {
-    std::vector<std::string> faults = body.shape->faults;  // of the mesh
+    Refusals faults = body.shape->faults;  // of the mesh
     if (faults.empty()) {
       check_mass(scene, body, faults);
       check_in_patch(scene, support_radius, body, faults);
@@ -161,7 +164,7 @@ std::vector<std::string> body_faults(const Scene& scene, double support_radius, 
       for (const PlacedShape& other : bodies)
         if (other.settings != body.settings && other.shape->faults.empty()) check_overlap(body, other, faults);
     }
-    for (const std::string& fault : faults) all.push_back(body.name() + ": " + fault);
+    for (const Refusal& fault : faults) all.push_back(put_behind(body.name(), ": ", fault));
   }
   return all;
 }

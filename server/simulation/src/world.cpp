@@ -31,11 +31,11 @@ constexpr double kLongestLag = 0.25;         ///< of the patch's shorter side, t
 constexpr int kSettleChunk = 10;             ///< steps between reports of progress
 
 Bodies make_bodies(TaskPool& pool, const Scene& scene) {
-  std::vector<std::string> faults;
+  Refusals faults;
   Bodies bodies(pool, scene, fluid_parameters(scene, patch_frame(scene)).support_radius, faults);
   if (faults.empty()) return bodies;
   std::string text;
-  for (const std::string& fault : faults) text += (text.empty() ? "" : "\n") + fault;
+  for (const Refusal& fault : faults) text += (text.empty() ? "" : "\n") + to_string(fault);
   throw std::invalid_argument(text);
 }
 

@@ -68,7 +68,7 @@ WaterRun start_over(int threads, const Bed& bed, const TravellingWave& wave, con
   WaterRun run(threads, parameters, {solver}, start);
   const BodyShape shape =
       make_body_shape(bed_mesh(bed, wave.length, width, 6.0 * d, 0.5 * d), d, std::nullopt, MeshKind::kOpen);
-  if (!shape.faults.empty()) throw std::runtime_error(shape.faults[0]);
+  if (!shape.faults.empty()) throw std::runtime_error(to_string(shape.faults[0]));
   const Eigen::AlignedBox3d all(Eigen::Vector3d::Constant(-1e6), Eigen::Vector3d::Constant(1e6));
   for (const auto& field : make_distance_fields(run.pool(), shape, {d, 2.0 * d, all})) {
     Solid solid;

@@ -18,6 +18,7 @@
 #include "pelagos_dds/log_sink.hpp"
 #include "refusals.hpp"
 #include "wire/convert.hpp"
+#include "wire/sample_fault.hpp"
 #include "wire/topics.hpp"
 #include "writer_owners.hpp"
 
@@ -65,8 +66,6 @@ class FrameReceiver::Implementation {
     waitset_.wake();
     thread_.join();
   }
-  Implementation(const Implementation&) = delete;
-  Implementation& operator=(const Implementation&) = delete;
 
   std::unique_ptr<OceanFrame> take_newest() {
     const std::lock_guard lock(mutex_);
@@ -178,7 +177,7 @@ class FrameReceiver::Implementation {
   void take(const DdsReader& reader, const char* topic, std::uint64_t ReceiverCounters::*refused, Accept&& accept,
             Other&& other) {
     reader.take_all<Sample>([&](const Sample& sample, const dds_sample_info_t& info) {
-      const std::optional<wire::SampleFault> fault = wire::find_fault(sample);
+      const std::optional<Refusal> fault = wire::find_fault(sample);
       const SourceWatch::Sender sender{sample.source, owners_.of(reader, info.publication_handle)};
       const Standing standing = hear(sender, !fault);
       if (fault) {
@@ -343,7 +342,7 @@ class FrameReceiver::Implementation {
   }
 
   RateLimitedLog log_;
-  Refusals refusals_;
+  RefusalLog refusals_;
   DdsParticipant participant_;
   DdsReader frames_;
   DdsReader scenes_;

@@ -63,15 +63,13 @@ class Checks {
   }
 
   [[nodiscard]] bool failed() const { return fault_.has_value(); }
-  [[nodiscard]] std::optional<SampleFault> result() && { return std::move(fault_); }
+  [[nodiscard]] std::optional<Refusal> result() && { return std::move(fault_); }
 
  private:
-  void refuse(const char* field, const std::string& what) {
-    fault_.emplace(SampleFault{field, place_.text() + field + " " + what});
-  }
+  void refuse(const char* field, const std::string& what) { fault_.emplace(Refusal{place_.text() + field, what}); }
 
   Place place_;
-  std::optional<SampleFault> fault_;
+  std::optional<Refusal> fault_;
 };
 
 void check_body(Checks& checks, const pelagos_BodyStateV1& body) {
@@ -124,7 +122,7 @@ void check_tank(Checks& checks, const pelagos_SceneInfoV1& info) {
 
 }  // namespace
 
-std::optional<SampleFault> find_fault(const pelagos_OceanFrameV1& frame) {
+std::optional<Refusal> find_fault(const pelagos_OceanFrameV1& frame) {
   Checks checks;
   checks.that(frame.record_bytes == kRecordBytes, "record_bytes", "is not 20");
   checks.count("payload", frame.count, kMostParticles);
@@ -139,7 +137,7 @@ std::optional<SampleFault> find_fault(const pelagos_OceanFrameV1& frame) {
   return std::move(checks).result();
 }
 
-std::optional<SampleFault> find_fault(const pelagos_SceneInfoV1& info) {
+std::optional<Refusal> find_fault(const pelagos_SceneInfoV1& info) {
   Checks checks;
   checks.name("scene", info.scene, kLongestName);
   checks.name("build", info.build, kLongestName);
@@ -165,7 +163,7 @@ std::optional<SampleFault> find_fault(const pelagos_SceneInfoV1& info) {
   return std::move(checks).result();
 }
 
-std::optional<SampleFault> find_fault(const pelagos_SeaV1& sea) {
+std::optional<Refusal> find_fault(const pelagos_SeaV1& sea) {
   constexpr double kLongestBlend = 3600.0;
   Checks checks;
   checks.within("water_level", sea.water_level, -kFarthest, kFarthest);
@@ -187,7 +185,7 @@ std::optional<SampleFault> find_fault(const pelagos_SeaV1& sea) {
   return std::move(checks).result();
 }
 
-std::optional<SampleFault> find_fault(const pelagos_SurfaceAnswerV1& answer) {
+std::optional<Refusal> find_fault(const pelagos_SurfaceAnswerV1& answer) {
   Checks checks;
   checks.that(answer.frame == pelagos_FRAME_ENU || answer.frame == pelagos_FRAME_NED, "frame",
               "is neither FRAME_ENU nor FRAME_NED");
@@ -204,7 +202,7 @@ std::optional<SampleFault> find_fault(const pelagos_SurfaceAnswerV1& answer) {
   return std::move(checks).result();
 }
 
-std::optional<SampleFault> find_fault(const pelagos_BodyShapeV1& shape) {
+std::optional<Refusal> find_fault(const pelagos_BodyShapeV1& shape) {
   constexpr std::uint64_t kMostTriangles = BodySurface::kMostTriangles;
   const auto& vertices = shape.vertices;
   const auto& corners = shape.corners;
@@ -226,7 +224,7 @@ std::optional<SampleFault> find_fault(const pelagos_BodyShapeV1& shape) {
   return std::move(checks).result();
 }
 
-std::optional<SampleFault> find_fault(const pelagos_StatusV2& status) {
+std::optional<Refusal> find_fault(const pelagos_StatusV2& status) {
   Checks checks;
   checks.name("scene", status.scene, kLongestName);
   checks.within("simulation_time", status.simulation_time, -kLongestTime, kLongestTime);
@@ -235,7 +233,7 @@ std::optional<SampleFault> find_fault(const pelagos_StatusV2& status) {
   return std::move(checks).result();
 }
 
-std::optional<SampleFault> find_fault(const pelagos_WindV1& wind) {
+std::optional<Refusal> find_fault(const pelagos_WindV1& wind) {
   if (!wind.has_wind) return std::nullopt;
   const pelagos_WindSettingsV1& w = wind.wind;
   Checks checks;
@@ -248,13 +246,13 @@ std::optional<SampleFault> find_fault(const pelagos_WindV1& wind) {
   return std::move(checks).result();
 }
 
-std::optional<SampleFault> find_fault(const pelagos_EventV1& event) {
+std::optional<Refusal> find_fault(const pelagos_EventV1& event) {
   Checks checks;
   checks.within("simulation_time", event.simulation_time, -kLongestTime, kLongestTime);
   return std::move(checks).result();
 }
 
-std::optional<SampleFault> find_fault(const pelagos_SlickV1& slick) {
+std::optional<Refusal> find_fault(const pelagos_SlickV1& slick) {
   // Sizes and places of a sea that a viewer can show.
   constexpr double kFarthestDisc = 1e6, kLargestRadius = 1e5, kThickest = 100.0, kMostMass = 1e12;
   Checks checks;

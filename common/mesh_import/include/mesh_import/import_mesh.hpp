@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "text/refusal.hpp"
+
 namespace pelagos {
 
 /// What is read of a mesh file at most. A file that has more is refused with these numbers, before the memory is taken.
@@ -50,7 +52,7 @@ struct ImportedMesh {
   std::vector<ImportedPart> parts;          ///< in the order of their first triangle
   std::vector<ImportedMaterial> materials;  ///< the first is for triangles without one: grey
   std::vector<std::string> notes;           ///< what was ignored and may surprise, a line each
-  std::vector<std::string> faults;          ///< not empty: refused, and there are no triangles; without the file's name
+  Refusals faults;                          ///< not empty: refused, and there are no triangles; without the file's name
 };
 
 struct ImportOptions {

@@ -12,18 +12,17 @@
 #include <vector>
 
 #include "text/nearest_name.hpp"
-#include "values/refusal.hpp"
+#include "text/refusal.hpp"
 
 namespace pelagos {
 
-/// One thing that is wrong with a message from outside.
-struct FieldFault {
-  int line = 0;       ///< in the text it came from, from 1; 0 where there is no text
-  int column = 0;     ///< from 1; 0 where it does not help
-  std::string field;  ///< path, e.g. "water.block[1].max"
-  std::string what;   ///< what is wrong and what is allowed
+/// One thing that is wrong with a message from outside, and where its text has it.
+struct TextRefusal {
+  int line = 0;     ///< from 1; 0 where there is no text
+  int column = 0;   ///< from 1; 0 where it does not help
+  Refusal refusal;  ///< its field is a path, e.g. "water.block[1].max"
 };
-using FieldFaults = std::vector<FieldFault>;
+using TextRefusals = std::vector<TextRefusal>;
 
 /// The finite numbers that a field may hold, both ends included.
 struct Range {
@@ -46,7 +45,7 @@ class FieldReader {
   /// @param path       of this message; "" at the top
   /// @param locations  where its fields stand in the text; nullptr without a text
   /// @param line       of this message in the text, for what is missing from it
-  FieldReader(const google::protobuf::Message& message, FieldFaults& faults, std::string path = "",
+  FieldReader(const google::protobuf::Message& message, TextRefusals& faults, std::string path = "",
               const google::protobuf::TextFormat::ParseInfoTree* locations = nullptr, int line = 0);
 
   [[nodiscard]] bool has(const char* name) const;
@@ -88,7 +87,7 @@ class FieldReader {
   void note_unknown_fields() const;
 
   const google::protobuf::Message* message_;
-  FieldFaults* faults_;
+  TextRefusals* faults_;
   std::string path_;
   const google::protobuf::TextFormat::ParseInfoTree* locations_;
   int line_;

@@ -10,7 +10,7 @@ namespace pelagos {
 struct ParsedText {
   google::protobuf::TextFormat::ParseInfoTree locations;  ///< the place of each field
   bool readable = true;                                   ///< false: a syntax or type error, the only entry of faults
-  FieldFaults faults;                                     ///< otherwise the unknown fields
+  TextRefusals faults;                                    ///< otherwise the unknown fields
 };
 
 /// Parses Protobuf text format into `message`. Fields that its schema does not know are skipped and noted, all of them.

@@ -9,7 +9,7 @@
 namespace pelagos {
 
 /// Faults as lines for people, in the order of the text, none twice: "file:line:column: field: what".
-[[nodiscard]] std::vector<std::string> describe_faults(FieldFaults faults, const std::string& source_name);
+[[nodiscard]] std::vector<std::string> describe_faults(TextRefusals faults, const std::string& source_name);
 
 /// A file's text, at most `largest` bytes and one more.
 struct TextFile {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "values/refusal.hpp"
+#include "text/refusal.hpp"
 
 namespace pelagos {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "text/refusal.hpp"
 #include "values/command.hpp"
-#include "values/refusal.hpp"
 #include "values/scene.hpp"
 
 namespace pelagos {

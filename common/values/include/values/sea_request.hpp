@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "values/refusal.hpp"
+#include "text/refusal.hpp"
 #include "waves/wave_system.hpp"
 
 namespace pelagos {

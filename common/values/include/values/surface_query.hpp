@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "values/refusal.hpp"
+#include "text/refusal.hpp"
 
 namespace pelagos {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "values/refusal.hpp"
+#include "text/refusal.hpp"
 #include "waves/dispersion.hpp"
 #include "waves/wave_components.hpp"
 

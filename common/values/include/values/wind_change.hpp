@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "values/refusal.hpp"
+#include "text/refusal.hpp"
 #include "values/wind.hpp"
 
 namespace pelagos {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "text/refusal.hpp"
 #include "values/air_reading.hpp"
 #include "values/command.hpp"
 #include "values/command_answer.hpp"
@@ -41,12 +42,12 @@ struct ScheduleAnswer {
   enum class Outcome {
     kTaken,    ///< it waits under `id`
     kPast,     ///< its time has passed: it is `present_time` already
-    kRefused,  ///< it cannot be taken now: `reason`
+    kRefused,  ///< it cannot be taken now: `refusal`
   };
   Outcome outcome = Outcome::kTaken;
   std::uint64_t id = 0;
   double present_time = 0.0;  ///< s, simulated
-  std::string reason;
+  Refusal refusal;
 };
 
 /// What the link needs from the program around it. All are called on the link's own thread, must return at once, and
@@ -56,8 +57,7 @@ struct ControlHooks {
   /// Takes a well-formed command for the next step boundary; `answer` is called from there, or when the server ends.
   /// @return nothing, or why it cannot be taken now: then `answer` is not called
   /// @param source  e.g. "station 127.0.0.1:40112", for events and logs
-  std::function<std::optional<std::string>(const Command& command, const std::string& source, TakeAnswer answer)>
-      submit;
+  std::function<std::optional<Refusal>(const Command& command, const std::string& source, TakeAnswer answer)> submit;
   /// Takes a well-formed command for the first step boundary at or after `at` (s, simulated).
   std::function<ScheduleAnswer(const Command& command, double at, const std::string& source)> schedule;
   /// Takes a command out of the schedule; false if none waits under that id.

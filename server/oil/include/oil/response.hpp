@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "text/refusal.hpp"
 #include "values/oil_mass.hpp"
-#include "values/refusal.hpp"
 
 namespace pelagos {
 

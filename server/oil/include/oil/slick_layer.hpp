@@ -14,8 +14,8 @@
 #include "oil/slick_settings.hpp"
 #include "oil/slick_state.hpp"
 #include "oil/slick_surroundings.hpp"
+#include "text/refusal.hpp"
 #include "values/oil_ledger.hpp"
-#include "values/refusal.hpp"
 
 namespace pelagos {
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "scales/scales.hpp"
+#include "text/refusal.hpp"
 #include "values/oil.hpp"
-#include "values/refusal.hpp"
 
 namespace pelagos {
 

@@ -30,7 +30,7 @@ struct BodyShape {
   Eigen::AlignedBox3d bounding_box;  ///< m, of the mesh
   double reach = 0.0;                ///< m, largest distance of a sample from the body's origin
   std::vector<std::array<Eigen::Vector3d, 2>> rim;  ///< m, edges where an open mesh ends
-  std::vector<std::string> faults;                  ///< not empty: the shape cannot be used, and why
+  Refusals faults;                                  ///< not empty: the shape cannot be used, and why
   std::vector<std::string> notes;                   ///< what a person should know of its parts
   std::shared_ptr<const MeshQuery> surface;
 

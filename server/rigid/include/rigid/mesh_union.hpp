@@ -37,7 +37,7 @@ struct MeshUnion {
   std::vector<MeshPart> parts;      ///< in the order of their first triangles
   std::vector<std::uint32_t> part;  ///< [triangles of the mesh that was given] index into `parts`
   std::vector<std::string> notes;   ///< what a person should know: cavities, parts that add nothing, overlap
-  std::vector<std::string> faults;  ///< not empty: there is no such solid, and what to do
+  Refusals faults;                  ///< not empty: there is no such solid, and what to do
 
   [[nodiscard]] const TriangleMesh& outside() const { return outer ? *outer : mesh; }
 };

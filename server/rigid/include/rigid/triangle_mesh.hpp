@@ -6,6 +6,7 @@
 
 #include "shapes/mesh_name.hpp"
 #include "shapes/triangle_mesh.hpp"
+#include "text/refusal.hpp"
 
 namespace pelagos {
 
@@ -35,8 +36,8 @@ struct MeshOrigin {
 
 /// What came out of a mesh file: a mesh, or the reasons why it cannot be used.
 struct MeshFile {
-  TriangleMesh mesh;                ///< parts that are closed by themselves share no vertex with any other part
-  std::vector<std::string> faults;  ///< empty: the mesh passes find_mesh_faults
+  TriangleMesh mesh;  ///< parts that are closed by themselves share no vertex with any other part
+  Refusals faults;    ///< empty: the mesh passes find_mesh_faults
   MeshOrigin origin = {};
   std::vector<std::string> notes = {};  ///< what of the file was ignored and may surprise
 };
@@ -60,8 +61,8 @@ struct MeshFile {
 /// (unite_parts). Where parts touch, an edge may have more triangles, as many along as back. One line for each fault,
 /// the first few of a kind with the place, the rest counted. Triangles are named by their origin, or numbered from
 /// 1. Whether the surface cuts itself is another question: MeshQuery::find_self_intersections.
-[[nodiscard]] std::vector<std::string> find_mesh_faults(const TriangleMesh& mesh, MeshKind kind = MeshKind::kClosed,
-                                                        const MeshOrigin& origin = {});
+[[nodiscard]] Refusals find_mesh_faults(const TriangleMesh& mesh, MeshKind kind = MeshKind::kClosed,
+                                        const MeshOrigin& origin = {});
 
 /// Enclosed volume, m^3, by the divergence theorem; negative where the mesh faces inwards.
 [[nodiscard]] double mesh_volume(const TriangleMesh& mesh);

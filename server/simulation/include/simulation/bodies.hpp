@@ -94,7 +94,7 @@ class Bodies {
 
   /// Loads and samples all shapes, and looks whether each has its place (body_faults).
   /// @param faults  out: what is wrong with which body; then nothing can be used
-  Bodies(TaskPool& pool, const Scene& scene, double support_radius, std::vector<std::string>& faults);
+  Bodies(TaskPool& pool, const Scene& scene, double support_radius, Refusals& faults);
 
   /// What a person should know of the bodies' meshes: cavities, parts that overlap (BodyShape::notes).
   [[nodiscard]] std::vector<std::string> mesh_notes() const;
@@ -210,7 +210,7 @@ class Bodies {
     float volume;              ///< V_b, m^3
   };
   void make_contacts(const Scene& scene);
-  [[nodiscard]] std::vector<std::string> contact_faults(const Scene& scene);
+  [[nodiscard]] Refusals contact_faults(const Scene& scene);
   /// A body as the water's solves see it: a driven one about its origin, and it gives way to nothing.
   [[nodiscard]] static CoupledBody coupled_body(const Body& body, const PatchFrame& frame);
   /// Adds the body's fields to the water's solids, before its coupled body.

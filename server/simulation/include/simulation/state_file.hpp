@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "simulation/world.hpp"
-#include "values/refusal.hpp"
+#include "text/refusal.hpp"
 
 namespace pelagos {
 

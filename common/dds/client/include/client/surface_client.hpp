@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pelagos_dds/configuration.hpp"
-#include "values/refusal.hpp"
+#include "text/refusal.hpp"
 #include "values/surface_query.hpp"
 
 namespace pelagos {

@@ -4,17 +4,17 @@
 #include <string>
 
 #include "pelagos_dds/configuration.hpp"
-#include "wire/sample_fault.hpp"
+#include "text/refusal.hpp"
 
 namespace pelagos {
 
 /// Tells of each kind of trouble once; whoever calls counts the rest.
-class Refusals {
+class RefusalLog {
  public:
-  explicit Refusals(DdsLog log) : log_(std::move(log)) {}
+  explicit RefusalLog(DdsLog log) : log_(std::move(log)) {}
 
-  /// A kind of fault is a topic and a field.
-  void tell(const std::string& topic, const wire::SampleFault& fault);
+  /// A kind is a topic and a field, of whichever entry of a list.
+  void tell(const std::string& topic, const Refusal& refusal);
   /// @param kind  a literal: there are few of them
   void tell_once(const char* kind, const std::string& text);
 
