@@ -1,19 +1,18 @@
 #include "transport/pose_receiver.hpp"
 
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <deque>
 #include <map>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <unordered_map>
 #include <utility>
 
 #include "pelagos_dds/entities.hpp"
 #include "pelagos_dds/log_sink.hpp"
+#include "pelagos_dds/receiver_thread.hpp"
 #include "transport/local_plane.hpp"
 #include "wire/convert.hpp"
 #include "wire/topics.hpp"
@@ -21,9 +20,8 @@
 namespace pelagos {
 namespace {
 
-constexpr auto kPollInterval = std::chrono::milliseconds(500);
-// Between two rounds, so that a flood is taken in batches: it adds this much to a pose's delay at most.
-constexpr auto kBatchInterval = std::chrono::milliseconds(1);
+// The rest between two rounds is what it adds to a pose's delay at most.
+constexpr ReceiverThread::Pace kPace{std::chrono::milliseconds(500), std::chrono::milliseconds(1)};
 
 /// Writers whose participant is remembered.
 constexpr std::size_t kMostWriters = 1024;
@@ -48,22 +46,18 @@ class PoseReceiver::Implementation {
         own_ship_(*participant_, topics::own_ship_pose()),
         others_(*participant_, topics::body_pose()),
         geodetic_(*participant_, topics::geodetic_pose()),
-        waitset_(*participant_),
-        gate_(bodies, limits) {
-    waitset_.attach(own_ship_);
-    waitset_.attach(others_);
-    waitset_.attach(geodetic_);
+        gate_(bodies, limits),
+        thread_(*participant_, "poses", log_, kPace) {
+    thread_.attach(own_ship_);
+    thread_.attach(others_);
+    thread_.attach(geodetic_);
     for (std::size_t fault = 0; fault <= kPoseFaults; ++fault) fault_logs_.emplace_back(log, kLinesPerFault);
-    thread_ = std::thread([this] { dispatch(); });
+    thread_.start([this] {
+      take_poses(own_ship_);
+      take_poses(others_);
+      take_geodetic_poses();
+    });
   }
-
-  ~Implementation() {
-    stop_ = true;
-    waitset_.wake();
-    thread_.join();
-  }
-  Implementation(const Implementation&) = delete;
-  Implementation& operator=(const Implementation&) = delete;
 
   void take_newest(std::vector<ReceivedPose>& poses) {
     poses.clear();
@@ -78,20 +72,6 @@ class PoseReceiver::Implementation {
   }
 
  private:
-  void dispatch() {
-    while (!stop_) {
-      waitset_.wait(kPollInterval);
-      try {
-        take_poses(own_ship_);
-        take_poses(others_);
-        take_geodetic_poses();
-      } catch (const std::exception& error) {  // out of memory: this round's poses are lost, the next may do
-        log_.write(std::string("receiving poses failed: ") + error.what());
-      }
-      std::this_thread::sleep_for(kBatchInterval);
-    }
-  }
-
   void take_poses(const DdsReader& reader) {
     reader.take_all<pelagos_PoseV1>([&](const pelagos_PoseV1& sample, const dds_sample_info_t& info) {
       accept_pose(wire::from_wire(sample), {sample.sender, participant_of(reader, info.publication_handle)});
@@ -164,15 +144,13 @@ class PoseReceiver::Implementation {
   DdsReader own_ship_;
   DdsReader others_;
   DdsReader geodetic_;
-  DdsWaitSet waitset_;
-  std::atomic<bool> stop_{false};
   std::unordered_map<std::uint64_t, std::uint64_t> participants_;  // by writer; the receiver's thread only
 
   mutable std::mutex mutex_;  // guards what follows; held for one pose at a time
   PoseGate gate_;
   std::map<std::uint32_t, ReceivedPose> newest_;
 
-  std::thread thread_;
+  ReceiverThread thread_;
 };
 
 PoseReceiver::PoseReceiver(std::shared_ptr<DdsParticipant> participant, const std::vector<std::uint32_t>& bodies,

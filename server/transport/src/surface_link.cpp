@@ -1,13 +1,12 @@
 #include "transport/surface_link.hpp"
 
-#include <atomic>
 #include <chrono>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "pelagos_dds/entities.hpp"
 #include "pelagos_dds/log_sink.hpp"
+#include "pelagos_dds/receiver_thread.hpp"
 #include "values/token_bucket.hpp"
 #include "wire/convert.hpp"
 #include "wire/topics.hpp"
@@ -16,9 +15,7 @@ namespace pelagos {
 
 namespace {
 
-constexpr auto kPollInterval = std::chrono::milliseconds(500);
-/// Between two rounds, so that a flood is taken in batches.
-constexpr auto kBatchInterval = std::chrono::milliseconds(1);
+constexpr ReceiverThread::Pace kPace{std::chrono::milliseconds(500), std::chrono::milliseconds(1)};
 constexpr double kRefusalsPerSecond = 20.0;
 
 /// The writer outlives the link for as long as an answer is on its way.
@@ -46,30 +43,15 @@ class SurfaceLink::Implementation {
       : ask_(std::move(ask)),
         answers_(std::make_shared<AnswerWriter>(participant, source, log)),
         queries_(*participant, topics::surface_query()),
-        waitset_(*participant) {
-    waitset_.attach(queries_);
-    thread_ = std::thread([this] { dispatch(); });
+        thread_(*participant, "queries of the surface", answers_->log, kPace) {
+    thread_.attach(queries_);
+    thread_.start([this] { take_queries(); });
   }
-  ~Implementation() {
-    stop_ = true;
-    waitset_.wake();
-    thread_.join();
-  }
-  Implementation(const Implementation&) = delete;
-  Implementation& operator=(const Implementation&) = delete;
 
  private:
-  void dispatch() {
-    while (!stop_) {
-      waitset_.wait(kPollInterval);
-      try {
-        queries_.take_all<pelagos_SurfaceQueryV1>(
-            [&](const pelagos_SurfaceQueryV1& sample) { ask(wire::from_wire(sample)); });
-      } catch (const std::exception& error) {  // out of memory: this round's queries are lost, the next may do
-        answers_->log.write(std::string("receiving queries of the surface failed: ") + error.what());
-      }
-      std::this_thread::sleep_for(kBatchInterval);
-    }
+  void take_queries() {
+    queries_.take_all<pelagos_SurfaceQueryV1>(
+        [&](const pelagos_SurfaceQueryV1& sample) { ask(wire::from_wire(sample)); });
   }
 
   void ask(wire::ReceivedSurfaceQuery received) {
@@ -84,9 +66,7 @@ class SurfaceLink::Implementation {
   std::shared_ptr<AnswerWriter> answers_;
   TokenBucket refusals_{kRefusalsPerSecond, kRefusalsPerSecond};
   DdsReader queries_;
-  DdsWaitSet waitset_;
-  std::atomic<bool> stop_{false};
-  std::thread thread_;
+  ReceiverThread thread_;
 };
 
 SurfaceLink::SurfaceLink(std::shared_ptr<DdsParticipant> participant, std::uint64_t source, AskSurface ask, DdsLog log)

@@ -7,7 +7,6 @@
 #include <map>
 #include <mutex>
 #include <span>
-#include <thread>
 #include <utility>
 
 #include "client/frame_count.hpp"
@@ -16,7 +15,8 @@
 #include "packing/particle_codec.hpp"
 #include "pelagos_dds/entities.hpp"
 #include "pelagos_dds/log_sink.hpp"
-#include "refusals.hpp"
+#include "pelagos_dds/receiver_thread.hpp"
+#include "refusal_log.hpp"
 #include "wire/convert.hpp"
 #include "wire/sample_fault.hpp"
 #include "wire/topics.hpp"
@@ -48,23 +48,15 @@ class FrameReceiver::Implementation {
         winds_(participant_, topics::wind()),
         slicks_(participant_, topics::slick()),
         event_reader_(participant_, topics::event()),
-        waitset_(participant_) {
+        thread_(participant_, "samples", log_, {kPollInterval, {}}) {
     if (const auto warning = check_receive_buffer()) log_.write(*warning);
-    waitset_.attach(frames_);
-    waitset_.attach(scenes_);
-    waitset_.attach(*seas_);
-    waitset_.attach(*shapes_);
-    waitset_.attach(statuses_);
-    waitset_.attach(winds_);
-    waitset_.attach(slicks_);
-    waitset_.attach(event_reader_);
-    thread_ = std::thread([this] { dispatch(); });
-  }
-
-  ~Implementation() {
-    stop_ = true;
-    waitset_.wake();
-    thread_.join();
+    for (const DdsReader* reader :
+         {&frames_, &scenes_, seas_.get(), shapes_.get(), &statuses_, &winds_, &slicks_, &event_reader_})
+      thread_.attach(*reader);
+    thread_.start([this] {
+      last_looked_ = listening_.look(Clock::now()).time_since_epoch().count();
+      take_samples();
+    });
   }
 
   std::unique_ptr<OceanFrame> take_newest() {
@@ -120,18 +112,6 @@ class FrameReceiver::Implementation {
   ReceiverCounters counters_;
 
  private:
-  void dispatch() {
-    while (!stop_) {
-      waitset_.wait(kPollInterval);
-      last_looked_ = listening_.look(Clock::now()).time_since_epoch().count();
-      try {
-        take_samples();
-      } catch (const std::exception& error) {  // out of memory: this round's samples are lost, the next may do
-        log_.write(std::string("receiving failed: ") + error.what());
-      }
-    }
-  }
-
   void take_samples() {
     // The status first: with a frame of a paused sea comes that it is paused.
     take<pelagos_StatusV2>(statuses_, "status", &ReceiverCounters::others_refused, [this](const auto& sample) {
@@ -166,9 +146,9 @@ class FrameReceiver::Implementation {
     });
     if (std::exchange(ask_again_, false)) {  // a new reader gets what was written once
       shapes_ = std::make_unique<DdsReader>(participant_, topics::body_shape());
-      waitset_.attach(*shapes_);
+      thread_.attach(*shapes_);
       seas_ = std::make_unique<DdsReader>(participant_, topics::sea());
-      waitset_.attach(*seas_);
+      thread_.attach(*seas_);
     }
   }
 
@@ -352,7 +332,6 @@ class FrameReceiver::Implementation {
   DdsReader winds_;
   DdsReader slicks_;
   DdsReader event_reader_;
-  DdsWaitSet waitset_;
 
   // Of the dispatcher thread alone.
   WriterOwners owners_;
@@ -361,7 +340,6 @@ class FrameReceiver::Implementation {
   bool follows_ = false, ask_again_ = false;
   std::deque<std::pair<SourceWatch::Sender, SceneInfo>> other_scenes_;
 
-  std::atomic<bool> stop_{false};
   ListeningTime listening_{Clock::now()};
   std::atomic<Clock::rep> last_heard_{0}, last_looked_{0};  // ticks of the steady clock; 0: never
   mutable std::mutex mutex_;                                // guards what follows, and the public members
@@ -373,7 +351,7 @@ class FrameReceiver::Implementation {
   std::vector<std::unique_ptr<OceanFrame>> spare_;
   std::deque<Event> events_;
 
-  std::thread thread_;
+  ReceiverThread thread_;
 };
 
 FrameReceiver::FrameReceiver(const DdsSettings& settings)
