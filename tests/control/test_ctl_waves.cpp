@@ -104,10 +104,12 @@ TEST_F(CtlWaves, StatusTellsTheSeaAndItsBlend) {
       HasSubstr("waves      1, significant height 2.83 m, to 090 on average, the highest of 6.3 s (62.83 m)\n"));
   ASSERT_TRUE(sea.exchange({}, 10.0, 20.0));
   status_.sea = sea_status(sea, 20.0);
-  EXPECT_THAT(ask({"status"}).out,
-              HasSubstr("waves      flat; they replace the waves before them: 50 % done, 10.0 s left, "
-                        "earlier seas that still run: 1\n"));
+  EXPECT_THAT(ask({"status"}).out, HasSubstr("waves      flat; change to it: 50 % done, 10.0 s left\n"));
   EXPECT_THAT(ask({"status", "--json"}).out, HasSubstr("\"share\":0.5,\"blend_left\":10.0,\"earlier\":1"));
+  ASSERT_TRUE(sea.exchange({}, 20.0, 20.0));
+  status_.sea = sea_status(sea, 25.0);
+  EXPECT_THAT(ask({"status"}).out,
+              HasSubstr("waves      flat; change to it: 10 % done, 15.0 s left; 2 seas before it still show\n"));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ Fault merge_mean(const WindChange& change, const std::optional<WindSettings>& pr
 }
 
 Fault out_of_range(const char* field, double value, double least, double most, const char* unit) {
-  return Refusal{field, fmt::format("{} is out of range; allowed: {} to {} {}", value, least, most, unit)};
+  return Refusal{field, fmt::format("{:.7g} is out of range; allowed: {:.7g} to {:.7g} {}", value, least, most, unit)};
 }
 
 Fault merge_pulse(const WindChange& change, WindSettings& wind) {

@@ -63,12 +63,10 @@ struct Describer {
   CommandNews operator()(const PauseSimulation&) const { return {"pause", "paused"}; }
   CommandNews operator()(const ResumeSimulation&) const { return {"resume", "resumed"}; }
   CommandNews operator()(const StepSimulation& c) const { return {"step", fmt::format("single steps: {}", c.steps)}; }
-  /// With every digit, so that a run can be replayed from its events.
   CommandNews operator()(const SetEffort& c) const {
     const Effort& e = c.effort;
-    return {"governor", fmt::format("{}: steps up to {:.2f} ms, tolerances {:.2g} and {:.2g} (exactly {}, {} and {})",
-                                    c.reason, e.max_step * 1e3, e.density_tolerance, e.divergence_tolerance, e.max_step,
-                                    e.density_tolerance, e.divergence_tolerance)};
+    return {"governor", fmt::format("{}: steps up to {:.4g} ms, tolerances {:.3g} and {:.3g}", c.reason,
+                                    e.max_step * 1e3, e.density_tolerance, e.divergence_tolerance)};
   }
 
   CommandNews operator()(const SetProbe& c) const {

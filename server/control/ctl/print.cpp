@@ -158,9 +158,8 @@ std::string describe_sea(const proto::v1::SeaStatus& sea) {
   if (sea.has_words()) text += "; asked for: " + sea.words();
   if (sea.has_left_out_height()) text += format(", which leaves out %.2f m", sea.left_out_height());
   if (!sea.has_share()) return text;
-  return text +
-         format("; they replace the waves before them: %.0f %% done, %.1f s left, earlier seas that still run: %u",
-                100.0 * sea.share(), sea.blend_left(), sea.earlier());
+  text += format("; change to it: %.0f %% done, %.1f s left", 100.0 * sea.share(), sea.blend_left());
+  return sea.earlier() < 2 ? text : text + format("; %u seas before it still show", sea.earlier());
 }
 
 std::string describe_record(const proto::v1::CommandLogStatus& log) {

@@ -145,9 +145,10 @@ std::optional<Refusal> World::exchange_sea(std::vector<WaveComponent> waves, dou
     sea_request_ = std::move(request);
     return {};
   }
-  return Refusal{"", fmt::format("{} exchanges of the waves still run; allowed: at most so many, and another one from "
-                                 "{:g} s on",
-                                 WaveField::kMostLayers - 1, sea_.open_from())};
+  return Refusal{"",
+                 fmt::format("the sea is already changing into {} others, one after the other; allowed: {} changes at "
+                             "a time. The next one can begin at {:.1f} s of simulated time, when one of them ends",
+                             WaveField::kMostLayers - 1, WaveField::kMostLayers - 1, sea_.open_from())};
 }
 
 std::optional<WindSettings> World::wind() const {
