@@ -8,19 +8,25 @@
 namespace pelagos {
 namespace {
 
-/// Water and some oil at random places in a cube of 4 m.
+/// Water and some oil at random places in a cube of 4 m, sorted by cells of 0.5 m.
 struct Cloud {
-  explicit Cloud(std::size_t count) {
+  explicit Cloud(std::size_t count) : cells({{0, 0, 0}, {4, 4, 4}}, 0.5) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> place(0.0F, 4.0F);
     for (std::size_t i = 0; i < count; ++i) {
       position.push_back({place(random), place(random), place(random), 0.0F});
       phase.push_back(i % 7 == 0 ? kOilPhase : kWaterPhase);
     }
+    TaskPool pool(1);
+    std::vector<std::uint32_t> order;
+    cells.sort(pool, position, order);
+    const std::vector<Float4> before = position;
+    for (std::size_t i = 0; i < count; ++i) position[i] = before[order[i]];
   }
   [[nodiscard]] ParticlePhases view() const { return {position, phase}; }
   std::vector<Float4> position;
   std::vector<std::uint8_t> phase;
+  CellGrid cells;
 };
 
 /// Of all particles, by a loop over them.
@@ -47,7 +53,7 @@ TEST(OilParticles, NearestWaterInABoxIsTheNearestOfAllOneAfterTheOther) {
   const std::vector<Eigen::Vector3f> places{{1, 1, 1}, {1.3F, 1, 1}, {3.9F, 0.1F, 2}};
   std::vector<Eigen::AlignedBox3f> boxes;
   for (const Eigen::Vector3f& place : places) boxes.push_back(box_around(place, reach));
-  const auto water = collect_water(cloud.view(), boxes);
+  const auto water = collect_water(cloud.view(), cloud.cells, 0.0F, boxes);
   for (int turn = 0; turn < 60; ++turn)  // until some have no water left
     for (std::size_t k = 0; k < places.size(); ++k) {
       const auto wanted = nearest_of_all(cloud, places[k], reach);
@@ -57,14 +63,30 @@ TEST(OilParticles, NearestWaterInABoxIsTheNearestOfAllOneAfterTheOther) {
   EXPECT_FALSE(nearest_of_all(cloud, places[2], reach)) << "the test has seen a place run dry";
 }
 
+TEST(OilParticles, WaterThatHasMovedSinceTheSortIsFound) {
+  Cloud cloud(3000);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<float> way(-0.2F, 0.2F);
+  for (Float4& p : cloud.position) p.x += way(random), p.y += way(random), p.z += way(random);
+  const std::vector<Eigen::AlignedBox3f> boxes{box_around({2, 2, 2}, 0.4F), box_around({0.1F, 4.1F, 2}, 0.3F)};
+  const auto water = collect_water(cloud.view(), cloud.cells, 0.2F, boxes);
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    std::vector<std::uint32_t> wanted;
+    for (std::uint32_t i = 0; i < cloud.position.size(); ++i)
+      if (cloud.phase[i] == kWaterPhase && boxes[k].contains(vector_of(cloud.position[i]))) wanted.push_back(i);
+    EXPECT_FALSE(wanted.empty());
+    EXPECT_EQ(water[k], wanted) << "in their order";
+  }
+}
+
 TEST(OilParticles, NothingIsFoundInAnEmptyBoxOrOutOfReach) {
   const Cloud cloud(100);
   const std::vector<Eigen::AlignedBox3f> boxes{Eigen::AlignedBox3f(), box_around({9, 9, 9}, 1.0F)};
-  const auto water = collect_water(cloud.view(), boxes);
+  const auto water = collect_water(cloud.view(), cloud.cells, 0.0F, boxes);
   EXPECT_TRUE(water[0].empty());
   EXPECT_TRUE(water[1].empty());
   EXPECT_FALSE(nearest_water(cloud.view(), water[1], {9, 9, 9}, 1.0F));
-  EXPECT_TRUE(collect_water({}, {}).empty());
+  EXPECT_TRUE(collect_water({}, CellGrid(), 0.0F, {}).empty());
 }
 
 TEST(OilParticles, ThinOilIsWhatHasLittleOilInTheColumnsAround) {

@@ -7,16 +7,32 @@ namespace pelagos {
 
 namespace {
 
-Eigen::Vector3f place_of(const Float4& x) { return {x.x, x.y, x.z}; }
-
 bool is_oil(const ParticlePhases& particles, std::size_t i) {
-  return particles.phase[i] == kOilPhase && place_of(particles.position[i]).allFinite();
+  return particles.phase[i] == kOilPhase && vector_of(particles.position[i]).allFinite();
 }
 
 /// Column and row of a grid, the nearest for places outside.
 std::array<int, 2> cell_of(const ColumnGrid& grid, const Float4& x) {
   return {std::clamp(static_cast<int>((x.x - grid.origin_x) / grid.cell), 0, grid.columns - 1),
           std::clamp(static_cast<int>((x.y - grid.origin_y) / grid.cell), 0, grid.rows - 1)};
+}
+
+std::array<int, 3> cell_at(const CellGrid& cells, const Eigen::Vector3f& place) {
+  const auto index = static_cast<int>(cells.cell_of({place.x(), place.y(), place.z(), 0.0F}));
+  const int nx = cells.cells_x(), ny = cells.cells_y();
+  return {index % nx, index / nx % ny, index / (nx * ny)};
+}
+
+/// Calls body(begin, end) for each run of particles in the cells about a box, in the order of the particles.
+template <class Body>
+void for_each_run(const CellGrid& cells, const Eigen::AlignedBox3f& box, float margin, Body&& body) {
+  const std::span<const std::uint32_t> begin = cells.begin();
+  if (begin.empty()) return;  // never sorted: no particles
+  const Eigen::Vector3f around = Eigen::Vector3f::Constant(margin);
+  const std::array<int, 3> low = cell_at(cells, box.min() - around), high = cell_at(cells, box.max() + around);
+  for (int z = low[2]; z <= high[2]; ++z)
+    for (int y = low[1]; y <= high[1]; ++y)
+      body(begin[cells.cell_index(low[0], y, z)], begin[cells.cell_index(high[0], y, z) + 1]);
 }
 
 int count_around(const ColumnGrid& grid, std::span<const int> oil, const std::array<int, 2>& cell) {
@@ -29,17 +45,16 @@ int count_around(const ColumnGrid& grid, std::span<const int> oil, const std::ar
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> collect_water(const ParticlePhases& particles,
-                                                      std::span<const Eigen::AlignedBox3f> boxes) {
+std::vector<std::vector<std::uint32_t>> collect_water(const ParticlePhases& particles, const CellGrid& cells,
+                                                      float moved, std::span<const Eigen::AlignedBox3f> boxes) {
   std::vector<std::vector<std::uint32_t>> found(boxes.size());
-  Eigen::AlignedBox3f all;
-  for (const Eigen::AlignedBox3f& box : boxes) all.extend(box);
-  if (all.isEmpty()) return found;
-  for (std::size_t i = 0; i < particles.position.size(); ++i) {
-    const Eigen::Vector3f place = place_of(particles.position[i]);
-    if (particles.phase[i] != kWaterPhase || !all.contains(place)) continue;
-    for (std::size_t k = 0; k < boxes.size(); ++k)
-      if (boxes[k].contains(place)) found[k].push_back(static_cast<std::uint32_t>(i));
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    if (boxes[k].isEmpty()) continue;
+    for_each_run(cells, boxes[k], moved, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t i = begin; i < end; ++i)
+        if (particles.phase[i] == kWaterPhase && boxes[k].contains(vector_of(particles.position[i])))
+          found[k].push_back(i);
+    });
   }
   return found;
 }
@@ -50,7 +65,7 @@ std::optional<std::size_t> nearest_water(const ParticlePhases& particles, std::s
   float nearest = reach * reach;
   for (const std::uint32_t i : among) {
     if (particles.phase[i] != kWaterPhase) continue;
-    const float distance = (place_of(particles.position[i]) - place).squaredNorm();
+    const float distance = (vector_of(particles.position[i]) - place).squaredNorm();
     if (!(distance < nearest)) continue;
     nearest = distance;
     found = i;

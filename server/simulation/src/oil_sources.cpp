@@ -30,6 +30,12 @@ Eigen::AlignedBox3f box_around(const Eigen::Vector3d& one, const Eigen::Vector3d
   return {(one.cwiseMin(other) - margin).cast<float>(), (one.cwiseMax(other) + margin).cast<float>()};
 }
 
+/// In each of the boxes. No particle moves farther than a cell in the step since the sort.
+std::vector<std::vector<std::uint32_t>> water_in(std::span<const Eigen::AlignedBox3f> boxes, const FluidState& fluid) {
+  const auto cell = static_cast<float>(fluid.parameters.support_radius);
+  return collect_water(phases_of(fluid.particles), fluid.fluid_grid, cell, boxes);
+}
+
 }  // namespace
 
 void OilSpill::advance(double dt, const SpillSea& sea, FluidState& fluid) {
@@ -52,7 +58,7 @@ void OilSpill::run_sources(double dt, const SpillSea& sea, FluidState& fluid) {
     source.pending += source.settings.rate / 3600.0 * std::min(dt, source.left);
     source.left -= dt;
   }
-  const std::vector<WaterNearby> water = collect_water(phases_of(fluid.particles), source_boxes(sea));
+  const std::vector<WaterNearby> water = water_in(source_boxes(sea), fluid);
   std::size_t index = 0;
   for (auto at = sources_.begin(); at != sources_.end();) {
     Source& source = at->second;
@@ -170,7 +176,7 @@ void OilSpill::pile_to_particles(const SurfaceGrid& surface, FluidState& fluid) 
     const Eigen::Vector3d local = frame_.to_local(places.back());
     boxes.push_back(box_around(local, local, kReach * spacing_));
   }
-  const std::vector<WaterNearby> water = collect_water(phases_of(fluid.particles), boxes);
+  const std::vector<WaterNearby> water = water_in(boxes, fluid);
   for (std::size_t k = 0; k < returned.size(); ++k) {
     std::size_t left = returned[k].particles;
     while (left > 0 && particles_ < most_particles_ && turn_to_oil(fluid, water[k], places[k])) --left;

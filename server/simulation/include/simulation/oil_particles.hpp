@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/grid.hpp"
 #include "physics/particles.hpp"
 #include "physics/surface_grid.hpp"
 
@@ -21,9 +22,12 @@ struct ParticlePhases {
   std::span<const std::uint8_t> phase;
 };
 
-/// The particles of water in each of some boxes, in their order; one pass over all particles.
+/// The particles of water in each of some boxes, in their order. Looks into the cells about the boxes alone.
+/// @param cells  that the particles are sorted by
+/// @param moved  m: how far particles may have moved since they were sorted; one that has gone farther may be left out
 /// @param boxes  an empty box (Eigen::AlignedBox3f()) holds none
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> collect_water(const ParticlePhases& particles,
+                                                                    const CellGrid& cells, float moved,
                                                                     std::span<const Eigen::AlignedBox3f> boxes);
 
 /// The particle of water nearest to a place, of equals the first; nothing where all are `reach` away or more. Particles
