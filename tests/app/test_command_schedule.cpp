@@ -51,6 +51,13 @@ TEST(CommandSchedule, NumbersTheEventsOfASceneAsWritten) {
   EXPECT_THAT(sources(queue, 5.0), testing::ElementsAre("scene event 1"));
 }
 
+TEST(CommandSchedule, LetsGoOfEventsWhoseEffectIsInAState) {
+  CommandQueue queue({{1.0, ClearWind{}}, {2.0, ClearWind{}}, {3.0, ClearWind{}}});
+  queue.schedule(ClearWind{}, 1.5, "station");
+  queue.drop_events_until(2.0);
+  EXPECT_THAT(sources(queue, 9.0), testing::ElementsAre("station", "scene event 3"));
+}
+
 TEST(CommandSchedule, RefusesWhatHasPassed) {
   CommandQueue queue;
   sources(queue, 10.0);
@@ -174,6 +181,24 @@ TEST(Replay, IsOfItsOwnSceneOnly) {
   EXPECT_THAT(replay.doubt(now), HasSubstr("bits may differ"));
   now.seed = 8;
   EXPECT_THAT(replay.mismatch(now), HasSubstr("seed 8"));
+}
+
+TEST(Replay, TellsWhichPartsOfTheSceneDiffer) {
+  CommandLog log = small_log();
+  log.header.parts = {{"patch", 1}, {"solver", 2}, {"wind at the start", 3}};
+  const Replay replay(log);
+  CommandLogHeader now = log.header;
+  EXPECT_EQ(replay.mismatch(now), "");
+  now.parts["patch"] = 9;
+  now.parts["wind at the start"] = 8;
+  EXPECT_THAT(replay.mismatch(now), HasSubstr("differs in: patch, wind at the start; allowed: the scene as it was"));
+  now.instruction_set = "avx512";
+  EXPECT_EQ(replay.mismatch(now), "") << "it may have other parts of the same scene: doubt tells of it";
+  now = log.header;
+  now.parts.clear();
+  now.parts["hull"] = 1;
+  EXPECT_THAT(replay.mismatch(now), HasSubstr("differs in: patch, solver, wind at the start, hull;"));
+  EXPECT_EQ(Replay(small_log()).mismatch(log.header), "") << "a log that tells no parts";
 }
 
 }  // namespace

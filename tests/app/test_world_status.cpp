@@ -40,7 +40,7 @@ void expect_values_of_scene(const ServerStatus& status, const Scene& scene) {
 
 TEST(WorldStatus, TellsTheScenesValuesBeforeItsWaterIsPlaced) {
   const Scene scene = windy_channel();
-  const ServerStatus status = starting_status(scene);
+  const ServerStatus status = starting_status(scene, make_scene_sea(scene));
   EXPECT_TRUE(status.starting);
   EXPECT_TRUE(status.oil.has_value());
   expect_values_of_scene(status, scene);
@@ -48,7 +48,7 @@ TEST(WorldStatus, TellsTheScenesValuesBeforeItsWaterIsPlaced) {
 
 TEST(WorldStatus, TellsTheWorldsValuesWhileItsWaterSettles) {
   const Scene scene = windy_channel();
-  ServerStatus placed = starting_status(scene);
+  ServerStatus placed = starting_status(scene, make_scene_sea(scene));
   std::optional<Air> air;
   WorldOptions options;
   bool settling = false;
@@ -75,7 +75,7 @@ TEST(WorldStatus, HasNoAirWithoutWind) {
   Scene scene = windy_channel();
   scene.wind.reset();
   EXPECT_FALSE(starting_air(scene));
-  EXPECT_FALSE(starting_status(scene).wind);
+  EXPECT_FALSE(starting_status(scene, make_scene_sea(scene)).wind);
 }
 
 }  // namespace

@@ -70,6 +70,20 @@ void command(const std::string& address, const std::vector<std::string>& more) {
   EXPECT_EQ(ctl.wait(kPatience), 0) << ctl.errors();
 }
 
+/// A busy machine may be slower than real time: the session goes on until it has lasted so long, s simulated.
+void await_simulated(const std::string& address, double seconds) {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (std::chrono::steady_clock::now() < end) {
+    RunningProgram ctl({program("pelagos-ctl"), "--server", address, "status", "--json"});
+    ASSERT_EQ(ctl.wait(kPatience), 0) << ctl.errors();
+    const std::string name = "\"simulation_time\":", status = ctl.output();
+    const std::size_t place = status.find(name);
+    ASSERT_NE(place, std::string::npos) << status;
+    if (std::stod(status.substr(place + name.size())) >= seconds) return;
+    std::this_thread::sleep_for(milliseconds(100));
+  }
+}
+
 /// An instructor, a bridge with probes on its ship, and a pause in between; some seven seconds.
 void play_session(const std::string& address) {
   const auto bridge = [](const std::string& sender, const std::string& duration) {
@@ -116,6 +130,7 @@ void play_session(const std::string& address) {
   RunningProgram second(bridge("8", "2"));
   EXPECT_EQ(second.wait(kPatience), 0) << second.errors();
   command(address, {"wind", "--off"});
+  await_simulated(address, 3.0);
   std::this_thread::sleep_for(milliseconds(500));
 }
 

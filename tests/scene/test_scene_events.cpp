@@ -115,7 +115,8 @@ class LogFile {
   std::string path_ = std::filesystem::temp_directory_path() / ("pelagos_log_" + std::to_string(getpid()) + ".log");
 };
 
-const CommandLogHeader kHeader{"1.2", "avx2", "small", 18446744073709551615U, 729};
+const CommandLogHeader kHeader{
+    "1.2", "avx2", "small", 18446744073709551615U, 729, {{"patch", 0x0123456789abcdefU}, {"wind at the start", 1}}};
 
 SetWind awkward_wind() {  // no digit of these may be lost
   SetWind set;
@@ -160,6 +161,7 @@ TEST(CommandLogFile, ReadsBackEveryBit) {
   EXPECT_EQ(result.log->header.scene, "small");
   EXPECT_EQ(result.log->header.seed, kHeader.seed);
   EXPECT_EQ(result.log->header.particles, 729U);
+  EXPECT_EQ(result.log->header.parts, kHeader.parts);
   const auto& commands = result.log->commands;
   ASSERT_EQ(commands.size(), 9U);
   EXPECT_EQ(commands[0].before_step, 3U);

@@ -3,13 +3,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstring>
 #include <random>
+#include <span>
+#include <string_view>
 
 #include "fields/field_hash.hpp"
 #include "floating.hpp"
 #include "give.hpp"
 #include "oily_patch.hpp"
 #include "same_run.hpp"
+#include "version/version.hpp"
 #include "world_access.hpp"
 
 namespace pelagos {
@@ -224,8 +229,28 @@ TEST_F(StateFile, ForeignFilesAreRefused) {
   std::vector<std::byte> text(500, std::byte{'a'});
   expect_refused(text, "does not begin with PELAGOS");
   std::vector<std::byte> newer = file_;
-  newer[7] = std::byte{2};
-  expect_refused(newer, "its format is 2; allowed: format 1");
+  newer[7] = std::byte{3};
+  expect_refused(newer, "its format is 3; allowed: format 2");
+}
+
+/// The file with the first letter of a text of its origin changed and the checksum set right, as another build saves
+/// it.
+std::vector<std::byte> with_other_text(std::vector<std::byte> file, std::string_view text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  const auto found = std::search(file.begin() + 32, file.end(), bytes.begin(), bytes.end());
+  EXPECT_NE(found, file.end()) << text;
+  *found = std::byte{'x'};
+  ByteHash hash;
+  hash.add(file.data() + 24, file.size() - 24);
+  const std::uint64_t value = hash.value();
+  std::memcpy(file.data() + 16, &value, sizeof value);
+  return file;
+}
+
+TEST_F(StateFile, StatesOfOtherBuildsAndMachinesAreRefused) {
+  expect_refused(with_other_text(file_, kVersion), std::string("; allowed: version ") + kVersion);
+  const std::string set = instruction_set();
+  expect_refused(with_other_text(file_, set), "it is of instruction set x" + set.substr(1));
 }
 
 TEST_F(StateFile, StatesOfOtherScenesAreRefused) {
@@ -234,10 +259,10 @@ TEST_F(StateFile, StatesOfOtherScenesAreRefused) {
   expect_refused(save_state(World(other, {1, nullptr, {}})), "it is of scene harbour; allowed: scene small_patch");
   other = oily_patch(OilModel::kBoth);
   other.patch.max.x() = 6.0;
-  expect_refused(save_state(World(other, {1, nullptr, {}})), "another patch");
+  expect_refused(save_state(World(other, {1, nullptr, {}})), "differs in: patch;");
   other = oily_patch(OilModel::kBoth);
   other.particle_spacing = 0.3;
-  expect_refused(save_state(World(other, {1, nullptr, {}})), "another patch");
+  expect_refused(save_state(World(other, {1, nullptr, {}})), "particle spacing");
 }
 
 }  // namespace

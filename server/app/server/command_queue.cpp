@@ -10,6 +10,13 @@ CommandQueue::CommandQueue(const std::vector<SceneEvent>& events) {
     const std::uint64_t id = ++last_id_;
     insert({id, event.at, event.command, "scene event " + std::to_string(id)});
   }
+  last_event_ = last_id_;
+}
+
+void CommandQueue::drop_events_until(double time) {
+  const std::scoped_lock lock(mutex_);
+  std::erase_if(scheduled_,
+                [&](const ScheduledCommand& waiting) { return waiting.id <= last_event_ && waiting.at <= time; });
 }
 
 void CommandQueue::insert(ScheduledCommand command) {

@@ -48,6 +48,8 @@ class CommandQueue {
   };
   /// Takes a command for the first boundary at or after `at` (s, simulated, finite).
   Scheduled schedule(const Command& command, double at, const std::string& source);
+  /// Lets go of the scene's events up to a time, s, that included: their effect is in the state that was loaded.
+  void drop_events_until(double time);
   /// False if none waits under that id.
   bool cancel(std::uint64_t id, const std::string& by);
   /// All that wait, in the order in which they fall due.
@@ -71,7 +73,7 @@ class CommandQueue {
   std::vector<QueuedCommand> commands_;
   std::vector<ScheduledCommand> scheduled_;  ///< by time, then by id
   std::vector<ScheduleChange> changes_;
-  std::uint64_t last_id_ = 0;
+  std::uint64_t last_id_ = 0, last_event_ = 0;  ///< the scene's events have the first ids
   double now_ = 0.0;
   std::string closed_;  ///< why; empty: it is open
 };

@@ -40,6 +40,9 @@ class InputGate {
   [[nodiscard]] std::vector<ScheduledCommand> scheduled() const { return commands_.scheduled(); }
   [[nodiscard]] std::size_t scheduled_count() const { return commands_.scheduled_count(); }
 
+  /// Before the first boundary, where the run goes on from a state: lets go of the scene's events up to its time, s.
+  void drop_events_until(double time) { commands_.drop_events_until(time); }
+
   /// What a request asked that cannot be asked.
   struct Refused {
     GivenCommand given;

@@ -10,11 +10,23 @@ namespace pelagos {
 
 std::string Replay::mismatch(const CommandLogHeader& now) const {
   const CommandLogHeader& then = log_.header;
-  if (then.scene == now.scene && then.seed == now.seed && then.particles == now.particles) return "";
+  if (then.scene == now.scene && then.seed == now.seed && then.particles == now.particles) return other_start(now);
   return fmt::format(
       "the command log is of scene {} with seed {} and {} particles, this is scene {} with seed {} and {} particles; "
       "replay it with its own scene file",
       then.scene, then.seed, then.particles, now.scene, now.seed, now.particles);
+}
+
+/// Other versions and instruction sets may make other parts out of the same scene.
+std::string Replay::other_start(const CommandLogHeader& now) const {
+  const CommandLogHeader& then = log_.header;
+  if (then.parts.empty() || !doubt(now).empty()) return "";
+  const std::string other = other_parts(then.parts, now.parts);
+  if (other.empty()) return "";
+  return fmt::format(
+      "the command log is of a run of scene {} that differs in: {}; allowed: the scene as it was then, and the state "
+      "file that the run went on from",
+      then.scene, other);
 }
 
 std::string Replay::doubt(const CommandLogHeader& now) const {

@@ -38,6 +38,7 @@ class Replay {
   [[nodiscard]] const CommandLog& log() const { return log_; }
 
  private:
+  [[nodiscard]] std::string other_start(const CommandLogHeader& now) const;
   [[nodiscard]] std::uint64_t last_step() const;
 
   CommandLog log_;

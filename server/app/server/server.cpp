@@ -6,10 +6,13 @@
 
 #include "control/endpoint.hpp"
 #include "fields/field_hash.hpp"
+#include "files/output_file.hpp"
 #include "machine.hpp"
 #include "monotonic_clock.hpp"
 #include "pelagos_dds/log_sink.hpp"
+#include "run_parts.hpp"
 #include "server_log.hpp"
+#include "simulation/state_file.hpp"
 #include "version/version.hpp"
 #include "world_status.hpp"
 
@@ -25,13 +28,14 @@ std::optional<Replay> replay_of(const ServerOptions& options) {
 
 Server::Server(const ServerOptions& options, const std::atomic<bool>& stop)
     : options_(options), stop_(stop), gate_(options.scene, replay_of(options)) {
-  status_ = starting_status(options_.scene);
+  SceneSea sea = make_scene_sea(options_.scene);
+  status_ = starting_status(options_.scene, sea);
   status_.governed = options_.scene.governor.on && !gate_.replay();
   recorder_.emplace(options_.command_log);
   status_.command_log = recorder_->state();
   air_ = starting_air(options_.scene);
   open_links();
-  open_world();
+  open_world(std::move(sea));
   open_records();
 }
 
@@ -93,8 +97,9 @@ void Server::open_links() {
   announcer_ = std::make_unique<Announcer>(*control_, *publisher_);
 }
 
-void Server::open_world() {
+void Server::open_world(SceneSea sea) {
   WorldOptions world;
+  world.sea = std::move(sea);
   world.threads = options_.threads;
   world.clock = monotonic_ns;
   world.placed = [this](const World& placed) { tell_placed(placed); };
@@ -105,6 +110,7 @@ void Server::open_world() {
   };
   log_info(fmt::format("scene {}: placing and settling the water", options_.scene.name));
   world_ = std::make_unique<World>(options_.scene, world);
+  if (!options_.start_state.empty()) go_on_from_state();
   for (const std::string& note : world_->bodies().mesh_notes()) log_info(note);
   for (const std::string& note : world_->start_notes()) log_warning("start: " + note);
   log_info(
@@ -124,6 +130,30 @@ void Server::open_world() {
       [](std::string_view line) { log_warning(line); });
 }
 
+/// The world's events up to the moment of the state have had their effect, which the state holds.
+void Server::go_on_from_state() {
+  if (const auto refusal = load_state(std::as_bytes(std::span(options_.start_state)), *world_))
+    throw std::invalid_argument("--load-state: " + to_string(*refusal));
+  gate_.drop_events_until(world_->time());
+  log_info(
+      fmt::format("the run goes on from a saved state, after step {}, at {:.3f} s", world_->step(), world_->time()));
+}
+
+/// @return whether it could be written, or was not asked for
+bool Server::save_end_state() const {
+  if (options_.save_state.empty()) return true;
+  const std::vector<std::byte> bytes = save_state(*world_);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::string fault = write_whole_file(options_.save_state, text);
+  if (!fault.empty()) {
+    log_error("the state could not be saved to " + options_.save_state + ": " + fault);
+    return false;
+  }
+  log_info(fmt::format("state saved to {}: {:.1f} MB, after step {}, at {:.3f} s", options_.save_state,
+                       static_cast<double>(bytes.size()) * 1e-6, world_->step(), world_->time()));
+  return true;
+}
+
 /// While the water settles the status already holds what the world starts with.
 void Server::tell_placed(const World& world) {
   fill_from(world, status_);
@@ -135,8 +165,8 @@ void Server::tell_placed(const World& world) {
 
 void Server::open_records() {
   const Scene& scene = options_.scene;
-  const CommandLogHeader header{kVersion, describe_machine().instruction_set, scene.name, scene.seed,
-                                world_->fluid().particles.count};
+  const CommandLogHeader header{kVersion,   describe_machine().instruction_set, scene.name,
+                                scene.seed, world_->fluid().particles.count,    run_parts(*world_)};
   if (const auto& replay = gate_.replay()) {
     if (const std::string fault = replay->mismatch(header); !fault.empty()) throw std::invalid_argument(fault);
     if (const std::string doubt = replay->doubt(header); !doubt.empty()) log_warning(doubt);
@@ -154,7 +184,7 @@ void Server::open_records() {
 
 ServerSummary Server::run() {
   SimulationLoop loop({*world_, gate_, desk_, *recorder_, board_, *announcer_, *publisher_},
-                      {options_.duration, options_.paced}, status_);
+                      {options_.duration, options_.paced, !options_.save_state.empty()}, status_);
   ServerSummary summary;
   summary.end = loop.run(stop_);
   gate_.close();
@@ -163,6 +193,7 @@ ServerSummary Server::run() {
   if (const std::size_t waiting = gate_.scheduled_count(); waiting > 0)
     log_info(fmt::format("commands that were not due before the end: {}", waiting));
   recorder_->end(*world_);
+  summary.state_failed = summary.end == ServerEnd::kNumericalFault ? !options_.save_state.empty() : !save_end_state();
   summary.status = *board_.status();
   summary.run = loop.whole_run();
   summary.lowest_real_time_factor = loop.lowest_real_time_factor();

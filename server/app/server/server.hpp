@@ -32,6 +32,8 @@ struct ServerOptions {
   std::string dds_config;
   bool bodies_in_ned = false;        ///< body states and loads go out in NED; else in ENU
   std::string command_log;           ///< file that every input is written to; empty: none
+  std::string start_state;           ///< bytes of a state file that the run goes on from; empty: the scene's start
+  std::string save_state;            ///< file that the state is saved to at the end; empty: none
   std::optional<CommandLog> replay;  ///< instead of the scene's events, what comes from outside, and the governor
 };
 
@@ -53,6 +55,7 @@ struct ServerSummary {
   std::uint64_t state_hash = 0;  ///< of the water at the end, see physics/fluid.hpp
   std::uint64_t world_hash = 0;  ///< of the whole state at the end
   bool log_failed = false;       ///< the command log could not be written to its end
+  bool state_failed = false;     ///< the state at the end could not be saved
 };
 
 /// The server: wires a world to its links and runs it. Network threads only touch queues, mailboxes and the status
@@ -75,11 +78,13 @@ class Server {
   /// As the board has it, with what is counted elsewhere.
   [[nodiscard]] ServerStatus status() const;
   void open_links();
-  void open_world();
+  void open_world(SceneSea sea);
   void tell_placed(const World& world);
+  void go_on_from_state();
   void open_records();
   /// Says how the replay ended. @return whether all that was compared had the same bits
   [[nodiscard]] bool tell_replay_end() const;
+  [[nodiscard]] bool save_end_state() const;
 
   // server_doors.cpp
   [[nodiscard]] std::vector<OpenLink> find_open_links(const DdsParticipant& participant, const DdsSettings& dds) const;

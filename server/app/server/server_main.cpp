@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -30,7 +32,8 @@ static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler
 void request_stop(int) { stop_requested.store(true); }
 
 struct Arguments {
-  std::string scene_file, control = "127.0.0.1:7410", report_file, log_level = "info", replay_file, body_frame = "enu";
+  std::string scene_file, control = "127.0.0.1:7410", report_file, log_level = "info", replay_file, state_file,
+                          body_frame = "enu";
   std::vector<std::string> assets;
   ServerOptions options;
   bool unpaced = false;
@@ -64,6 +67,10 @@ void add_options(CLI::App& app, Arguments& arguments) {
                  "applied; see --replay");
   app.add_option("--replay", arguments.replay_file,
                  "Repeat the run of this command log: its commands at its steps, to its end; gives the same bits");
+  app.add_option("--save-state", options.save_state,
+                 "Save the whole state there at the end, for --load-state of another run of the same scene");
+  app.add_option("--load-state", arguments.state_file,
+                 "Go on from this saved state: with the same bits as if the run that saved it had not ended");
   app.add_option("--log-level", arguments.log_level, "Least level to log")
       ->check(OneOf({"debug", "info", "warning", "error"}))
       ->capture_default_str();
@@ -78,7 +85,27 @@ bool try_outputs(const Arguments& arguments) {
   };
   const std::string& log = arguments.options.command_log;
   const bool report_good = good("--report", arguments.report_file, fault_of_output_file(arguments.report_file));
-  return good("--command-log", log, fault_of_output_file(log)) && report_good;
+  const std::string& state = arguments.options.save_state;
+  const bool state_good = good("--save-state", state, fault_of_output_file(state));
+  return good("--command-log", log, fault_of_output_file(log)) && report_good && state_good;
+}
+
+/// Reads the state that the run goes on from; false if it cannot be read (said).
+bool read_state(Arguments& arguments) {
+  constexpr std::uintmax_t kLargestState = std::uintmax_t{4} << 30;  // bytes
+  if (arguments.state_file.empty()) return true;
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(arguments.state_file, error);
+  std::ifstream in(arguments.state_file, std::ios::binary);
+  std::string& bytes = arguments.options.start_state;
+  if (!error && size > 0 && size <= kLargestState) {
+    bytes.resize(size);
+    if (in.read(bytes.data(), static_cast<std::streamsize>(size))) return true;
+  }
+  const std::string what = error ? error.message() : "has " + std::to_string(size) + " bytes, or cannot be read";
+  std::cerr << "pelagos-server: --load-state " << arguments.state_file << ": " << what
+            << "; allowed: a file that --save-state has written\n";
+  return false;
 }
 
 /// Fills the options from scene file and addresses; false if something is wrong (said).
@@ -97,6 +124,7 @@ bool prepare(Arguments& arguments) {
     if (!log.log) return false;
     arguments.options.replay = std::move(log.log);
   }
+  if (!read_state(arguments)) return false;
   const EndpointResult endpoint = parse_endpoint(arguments.control);
   if (!endpoint.endpoint) {
     std::cerr << "pelagos-server: --control " << arguments.control << ": " << endpoint.error << '\n';
@@ -124,6 +152,7 @@ int serve(const Arguments& arguments) {
     }
   }
   if (summary.log_failed) return 1;
+  if (summary.state_failed && summary.end != ServerEnd::kNumericalFault) return 1;
   if (summary.end == ServerEnd::kNumericalFault) return 3;
   return summary.replay_differs ? 4 : 0;
 }

@@ -66,6 +66,7 @@ ServerEnd SimulationLoop::run(const std::atomic<bool>& stop) {
     refresh_status();
     if (!clock_.paused() && options_.paced && world.frame() != frame) pacer.wait_for(world.time());
   }
+  if (options_.saves_state && !broken_) take_inputs();  // what is due now is part of the state, and not given again
   parts_.announcer.announce("stop", "server", broken_ ? "stopped: values are not finite" : "stopped");
   put_up_status();
   return *ended(stop);

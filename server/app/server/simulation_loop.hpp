@@ -22,6 +22,7 @@ namespace pelagos {
 struct LoopOptions {
   double duration = 0.0;  ///< s: wall clock when paced, simulated when not; 0: until stopped
   bool paced = true;
+  bool saves_state = false;  ///< at the end, with what is due there
 };
 
 /// How a run ended.

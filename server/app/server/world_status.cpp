@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "simulation/fluid_setup.hpp"
-#include "simulation/scene_sea.hpp"
 
 namespace pelagos {
 
@@ -27,7 +26,7 @@ BodyState starting_state(const BodySettings& body) {
 
 }  // namespace
 
-ServerStatus starting_status(const Scene& scene) {
+ServerStatus starting_status(const Scene& scene, const SceneSea& sea) {
   ServerStatus status;
   status.scene = scene.name;
   status.starting = true;
@@ -35,7 +34,7 @@ ServerStatus starting_status(const Scene& scene) {
   status.current = scene.current;
   for (std::size_t axis = 0; axis < 2; ++axis)
     status.moves_water[axis] = scene.patch_edges[axis] == PatchEdge::kPeriodic;
-  status.sea = sea_status(scene_sea(scene, highest_block(scene)), 0.0, scene_sea_request(scene));
+  status.sea = sea_status(sea.at_level(highest_block(scene)), 0.0, sea.request);
   status.effort = {largest_time_step(scene), scene.solver.density.tolerance, scene.solver.divergence.tolerance};
   for (const BodySettings& body : scene.bodies) status.bodies.push_back(starting_state(body));
   if (scene.oil) status.oil.emplace();

@@ -9,8 +9,8 @@
 
 namespace pelagos {
 
-/// The status of a scene whose water has not been placed: what the scene sets.
-[[nodiscard]] ServerStatus starting_status(const Scene& scene);
+/// The status of a scene whose water has not been placed: what the scene sets. @param sea  make_scene_sea of the scene
+[[nodiscard]] ServerStatus starting_status(const Scene& scene, const SceneSea& sea);
 
 /// The air over such a scene. The mean level is the top of the highest block of water.
 [[nodiscard]] std::optional<Air> starting_air(const Scene& scene);

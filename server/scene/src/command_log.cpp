@@ -28,6 +28,17 @@ std::string hex_text(std::uint64_t value) {
 
 // ---- reading
 
+std::uint64_t read_hash(const FieldReader& reader, const char* field) {
+  std::uint64_t value = 0;
+  std::string hash;
+  reader.require(field);
+  if (!reader.read(field, kHashDigits, hash)) return value;
+  const auto parsed = std::from_chars(hash.data(), hash.data() + hash.size(), value, 16);
+  if (hash.size() != kHashDigits || parsed.ptr != hash.data() + hash.size())
+    reader.fault(field, "\"" + hash + "\" is no hash; allowed: 16 hexadecimal digits");
+  return value;
+}
+
 CommandLogHeader read_header(const FieldReader& reader) {
   CommandLogHeader header;
   for (const char* field : {"scene", "seed", "particles"}) reader.require(field);
@@ -36,6 +47,11 @@ CommandLogHeader read_header(const FieldReader& reader) {
   reader.read("scene", 64, header.scene);
   reader.read("seed", header.seed);
   reader.read("particles", header.particles);
+  for (const FieldReader& part : reader.children("part")) {
+    std::string name;
+    part.require("name");
+    if (part.read("name", 64, name)) header.parts[name] = read_hash(part, "hash");
+  }
   return header;
 }
 
@@ -51,17 +67,6 @@ LoggedCommand read_entry(const FieldReader& entry) {
   }
   if (const auto command = read_command(entry, "command", CommandPlace::kLog)) logged.command = *command;
   return logged;
-}
-
-std::uint64_t read_hash(const FieldReader& reader, const char* field) {
-  std::uint64_t value = 0;
-  std::string hash;
-  reader.require(field);
-  if (!reader.read(field, kHashDigits, hash)) return value;
-  const auto parsed = std::from_chars(hash.data(), hash.data() + hash.size(), value, 16);
-  if (hash.size() != kHashDigits || parsed.ptr != hash.data() + hash.size())
-    reader.fault(field, "\"" + hash + "\" is no hash; allowed: 16 hexadecimal digits");
-  return value;
 }
 
 /// The pose's numbers are what a server has taken: any finite ones.
@@ -217,6 +222,11 @@ void CommandLogWriter::write(const CommandLogHeader& header) {
   message.set_scene(header.scene);
   message.set_seed(header.seed);
   message.set_particles(header.particles);
+  for (const auto& [name, hash] : header.parts) {
+    proto::v1::CommandLog::Part& part = *message.add_part();
+    part.set_name(name);
+    part.set_hash(hex_text(hash));
+  }
   file_.append("# A command log of pelagos-server: what was applied before which step. Replay it with --replay.");
   file_.append(on_one_line(message));
 }

@@ -16,18 +16,15 @@ MadeSea make_sea(const Scene& scene, SeaSettings settings) {
   return {std::move(made.waves), SeaRequest{std::move(settings), 4.0 * std::sqrt(made.left_out)}};
 }
 
-std::optional<SeaRequest> scene_sea_request(const Scene& scene) {
-  if (!scene.far_sea.sea) return std::nullopt;
-  return make_sea(scene, *scene.far_sea.sea).request;
-}
-
-WaveField scene_sea(const Scene& scene, double water_level) {
+SceneSea make_scene_sea(const Scene& scene) {
   const FarSeaSettings& sea = scene.far_sea;
   const double gravity = scale_gravity(scene.gravity), depth = sea_depth(scene);
-  if (sea.sea) return {make_sea(scene, *sea.sea).waves, water_level, depth};
-  if (!sea.waves.empty()) return {wave_components(sea.waves, gravity, depth), water_level, depth};
-  return {make_wave_components({sea.beaufort, sea.wave_to_deg, sea.components, scene.seed, gravity}), water_level,
-          depth};
+  if (sea.sea) {
+    MadeSea made = make_sea(scene, *sea.sea);
+    return {std::move(made.waves), depth, std::move(made.request)};
+  }
+  if (!sea.waves.empty()) return {wave_components(sea.waves, gravity, depth), depth, {}};
+  return {make_wave_components({sea.beaufort, sea.wave_to_deg, sea.components, scene.seed, gravity}), depth, {}};
 }
 
 }  // namespace pelagos

@@ -12,7 +12,7 @@ namespace pelagos {
 
 namespace {
 
-constexpr std::array<char, 8> kMark = {'P', 'E', 'L', 'A', 'G', 'O', 'S', 1};
+constexpr std::array<char, 8> kMark = {'P', 'E', 'L', 'A', 'G', 'O', 'S', 2};
 constexpr std::size_t kSizeAt = 8, kHashAt = 16, kLayoutAt = 24, kHeader = 32;
 
 std::uint64_t hash_of(std::span<const std::byte> bytes) {
@@ -60,8 +60,8 @@ std::optional<Refusal> find_origin_fault(const StateOrigin& saved, const StateOr
   if (saved.instruction_set != now.instruction_set)
     return differs("instruction set", saved.instruction_set, now.instruction_set);
   if (saved.scene != now.scene) return differs("scene", saved.scene, now.scene);
-  if (saved.scene_hash != now.scene_hash)
-    return refuse(fmt::format("it is of a scene {} with another patch, spacing, solver or other bodies", saved.scene),
+  if (const std::string other = other_parts(saved.scene_parts, now.scene_parts); !other.empty())
+    return refuse(fmt::format("it is of a scene {} that differs in: {}", saved.scene, other),
                   "the scene as it was when the state was saved");
   return std::nullopt;
 }
@@ -69,7 +69,7 @@ std::optional<Refusal> find_origin_fault(const StateOrigin& saved, const StateOr
 }  // namespace
 
 StateOrigin state_origin(const World& world) {
-  return {kVersion, instruction_set(), world.scene().name, world.scene_hash()};
+  return {kVersion, instruction_set(), world.scene().name, world.scene_parts()};
 }
 
 std::vector<std::byte> save_state(const World& world) {

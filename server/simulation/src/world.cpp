@@ -12,7 +12,6 @@
 #include "scales/scales.hpp"
 #include "simulation/enclosed_waters.hpp"
 #include "simulation/fluid_setup.hpp"
-#include "simulation/scene_sea.hpp"
 #include "version/version.hpp"
 #include "wind_surroundings.hpp"
 
@@ -45,16 +44,16 @@ std::optional<OpenSea> make_open_sea(const Scene& scene, const PatchFrame& frame
 }
 
 StartingParticles place_water(TaskPool& pool, const Scene& scene, const Bodies& bodies, const PatchFrame& frame,
-                              const std::optional<OpenSea>& open) {
+                              const std::optional<OpenSea>& open, const SceneSea& sea) {
   if (!open) return place_blocks(scene, bodies, frame);
-  const WaveField sea = scene_sea(scene, frame.world_height(open->shape().level));
-  return place_open_sea(open->fill(pool, sea, frame.origin.head<2>(), 0.0, largest_time_step(scene)),
+  const WaveField around = sea.at_level(frame.world_height(open->shape().level));
+  return place_open_sea(open->fill(pool, around, frame.origin.head<2>(), 0.0, largest_time_step(scene)),
                         scene.particle_spacing, bodies, frame);
 }
 
 FluidState make_start(TaskPool& pool, const Scene& scene, const Bodies& bodies, const PatchFrame& frame,
-                      const std::optional<OpenSea>& open) {
-  StartingParticles start = place_water(pool, scene, bodies, frame, open);
+                      const std::optional<OpenSea>& open, const SceneSea& sea) {
+  StartingParticles start = place_water(pool, scene, bodies, frame, open, sea);
   FluidState fluid = make_fluid(pool, fluid_parameters(scene, frame), start.position, start.phase);
   std::copy(start.velocity.begin(), start.velocity.end(), fluid.particles.velocity.begin());
   if (open) {
@@ -92,6 +91,9 @@ SurfaceScales surface_scales(const FluidParameters& parameters) {
 }  // namespace
 
 World::World(const Scene& scene, const WorldOptions& options)
+    : World(scene, options, options.sea ? *options.sea : make_scene_sea(scene)) {}
+
+World::World(const Scene& scene, const WorldOptions& options, const SceneSea& sea)
     : scene_(scene),
       around_(command_surroundings(scene)),
       options_(options),
@@ -100,15 +102,16 @@ World::World(const Scene& scene, const WorldOptions& options)
       clock_(scene.frame_interval),
       bodies_(make_bodies(*pool_, scene)),
       open_sea_(make_open_sea(scene, frame_)),
-      fluid_(make_start(*pool_, scene, bodies_, frame_, open_sea_)),
+      fluid_(make_start(*pool_, scene, bodies_, frame_, open_sea_, sea)),
       free_particles_(fluid_.particles.count - fluid_.held.rows.size()),
       water_level_(start_level(*pool_, scene, bodies_, fluid_, frame_, open_sea_)),
-      sea_(scene_sea(scene, water_level_)),
-      sea_request_(scene_sea_request(scene)),
+      sea_(sea.at_level(water_level_)),
+      sea_request_(sea.request),
       water_surface_(*pool_, {frame_, fluid_.parameters.patch, blend_of(open_sea_)}),
       drive_(scene, frame_, water_level_, fluid_.particles.count),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
       max_step_(largest_time_step(scene)) {
+  options_.sea.reset();
   if (!bodies_.empty()) {
     add_static_walls(*pool_, fluid_, bodies_.static_samples(frame_));
     bodies_.place(frame_, fluid_);
@@ -444,28 +447,44 @@ void World::restore(const WorldState& state) {
   largest_speed_ = state.largest_speed;
 }
 
-std::uint64_t World::scene_hash() const {
+namespace {
+
+/// Of several values together.
+template <class... Values>
+std::uint64_t hash_together(const Values&... values) {
   ByteHash hash;
   const auto add = [&hash](const auto& value) {
     const std::uint64_t part = hash_fields(value);
     hash.add(&part, sizeof part);
   };
-  add(scene_.seed);
-  add(std::array{scene_.frame_interval, scene_.gravity, scene_.particle_spacing, fluid_.parameters.support_radius,
-                 fluid_.parameters.viscosity, fluid_.parameters.filter, fluid_.parameters.rest_density});
-  add(fluid_.parameters.scheme);
-  add(scene_.frame_times);
-  add(scene_.patch_edges);
-  add(std::array{scene_.open_sea.zone_width, scene_.open_sea.depth});
-  add(scene_.patch.min);
-  add(scene_.patch.max);
-  add(std::vector(fluid_.walls.position.begin(),
-                  fluid_.walls.position.begin() + static_cast<std::ptrdiff_t>(fluid_.static_walls)));
-  for (const BodySettings& body : scene_.bodies) add(std::array{body.id, static_cast<std::uint32_t>(body.drive)});
-  add(std::uint64_t{bodies_.sample_count()});
-  for (const Solid& solid : fluid_.solids)
-    add(std::array{solid.field->nodes[0], solid.field->nodes[1], solid.field->nodes[2]});
+  (add(values), ...);
   return hash.value();
+}
+
+std::uint64_t hash_of_bodies(const Scene& scene, const Bodies& bodies, const FluidState& fluid) {
+  std::vector<std::array<std::uint32_t, 2>> drives;
+  for (const BodySettings& body : scene.bodies) drives.push_back({body.id, static_cast<std::uint32_t>(body.drive)});
+  std::vector<std::array<int, 3>> nodes;
+  for (const Solid& solid : fluid.solids)
+    nodes.push_back({solid.field->nodes[0], solid.field->nodes[1], solid.field->nodes[2]});
+  return hash_together(drives, std::uint64_t{bodies.sample_count()}, nodes);
+}
+
+}  // namespace
+
+SceneParts World::scene_parts() const {
+  const FluidParameters& p = fluid_.parameters;
+  const auto walls = fluid_.walls.position.begin();
+  return {{"seed", hash_together(scene_.seed)},
+          {"frame rate", hash_together(scene_.frame_interval, scene_.frame_times)},
+          {"gravity", hash_together(scene_.gravity)},
+          {"particle spacing", hash_together(std::array{scene_.particle_spacing, p.support_radius})},
+          {"water", hash_together(std::array{p.viscosity, p.filter, p.rest_density})},
+          {"solver", hash_together(p.scheme)},
+          {"patch", hash_together(scene_.patch_edges, scene_.patch.min, scene_.patch.max)},
+          {"open sea", hash_together(std::array{scene_.open_sea.zone_width, scene_.open_sea.depth})},
+          {"walls", hash_together(std::vector(walls, walls + static_cast<std::ptrdiff_t>(fluid_.static_walls)))},
+          {"bodies", hash_of_bodies(scene_, bodies_, fluid_)}};
 }
 
 SceneInfo World::describe() const {

@@ -9,6 +9,7 @@
 
 #include "files/append_file.hpp"
 #include "values/command.hpp"
+#include "values/scene_parts.hpp"
 #include "values/status.hpp"
 #include "values/step_inputs.hpp"
 
@@ -21,6 +22,7 @@ struct CommandLogHeader {
   std::string scene;            ///< name
   std::uint64_t seed = 0;
   std::uint64_t particles = 0;
+  SceneParts parts = {};  ///< of the scene, and of the state at the start; empty in logs that have none
 };
 
 /// A command as it was applied.

@@ -13,17 +13,17 @@ namespace pelagos {
 
 /// What a state belongs to: bits are the same only where all of it is.
 struct StateOrigin {
-  std::string version;           ///< of the server
-  std::string instruction_set;   ///< of the physics
-  std::string scene;             ///< name
-  std::uint64_t scene_hash = 0;  ///< of what the scene has made of water, walls and bodies
+  std::string version;          ///< of the server
+  std::string instruction_set;  ///< of the physics
+  std::string scene;            ///< name
+  SceneParts scene_parts;       ///< what the scene has made of water, walls and bodies
 
   template <class Self, class Visitor>
   static void visit_fields(Self& self, Visitor& visit) {
     visit("version", self.version);
     visit("instruction_set", self.instruction_set);
     visit("scene", self.scene);
-    visit("scene_hash", self.scene_hash);
+    visit("scene_parts", self.scene_parts);
   }
 };
 
@@ -31,7 +31,7 @@ struct StateOrigin {
 [[nodiscard]] StateOrigin state_origin(const World& world);
 
 /// A state as a file:
-///   bytes 0 to 7    "PELAGOS" and the format's number, 1
+///   bytes 0 to 7    "PELAGOS" and the format's number, 2
 ///   bytes 8 to 15   size of the whole file, bytes
 ///   bytes 16 to 23  XXH3 of all that follows
 ///   bytes 24 to 31  hash of the names and types of the state's fields

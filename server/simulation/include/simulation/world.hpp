@@ -17,6 +17,7 @@
 #include "simulation/open_sea.hpp"
 #include "simulation/probes.hpp"
 #include "simulation/rim_gaps.hpp"
+#include "simulation/scene_sea.hpp"
 #include "simulation/surface_query.hpp"
 #include "simulation/water_surface.hpp"
 #include "simulation/world_state.hpp"
@@ -27,6 +28,7 @@
 #include "values/patch_frame.hpp"
 #include "values/scene.hpp"
 #include "values/scene_info.hpp"
+#include "values/scene_parts.hpp"
 #include "values/snapshot.hpp"
 #include "values/step_inputs.hpp"
 #include "wind/wind.hpp"
@@ -42,6 +44,8 @@ struct WorldOptions {
   std::function<bool(double)> progress;
   /// Called once, before the start is relaxed: all but the water's motion is as it will be at the first step.
   std::function<void(const World&)> placed = {};
+  /// The scene's sea, where the caller has made it; else it is made.
+  std::optional<SceneSea> sea = {};
 };
 
 /// What became of values that are not finite.
@@ -118,8 +122,8 @@ class World {
   [[nodiscard]] bool accepts(const WorldState& state) const;
   /// Goes on from a state of a world of the same scene.
   void restore(const WorldState& state);
-  /// Of the settings and samples that the scene has made: worlds of which it differs have other states.
-  [[nodiscard]] std::uint64_t scene_hash() const;
+  /// A hash of each part of what the scene has made, by its name. States of worlds of which one differs do not fit.
+  [[nodiscard]] SceneParts scene_parts() const;
 
   [[nodiscard]] SceneInfo describe() const;
   /// What whoever runs the scene should know about its start, one line each: what is allowed, but hardly meant.
@@ -155,6 +159,7 @@ class World {
   [[nodiscard]] StepReport measure() const;  ///< of the present state, no step made
 
  private:
+  World(const Scene& scene, const WorldOptions& options, const SceneSea& sea);
   friend struct WorldTestAccess;  // tests of faults put them into the water
   [[nodiscard]] double choose_step() const;
   [[nodiscard]] CommandOutcome apply(const Command& command);
