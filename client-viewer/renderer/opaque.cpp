@@ -5,11 +5,12 @@
 namespace pelagos {
 
 OpaquePass::OpaquePass(int width, int height, int mirror_divisor)
-    : program_("opaque.vert", "opaque.frag"),
+    : mirror_levels_(mirror_divisor > 2 ? 1 : 5),  // a small image is blurred already
+      program_("opaque.vert", "opaque.frag"),
       colour_(width, height, GL_RGBA16F, GL_LINEAR, GL_CLAMP_TO_EDGE),
       inverse_depth_(width, height, GL_R32F, GL_NEAREST, GL_CLAMP_TO_EDGE),
       mirrored_(std::max(width / mirror_divisor, 1), std::max(height / mirror_divisor, 1), GL_RGBA16F, GL_LINEAR,
-                GL_CLAMP_TO_EDGE, 5),
+                GL_CLAMP_TO_EDGE, mirror_levels_),
       mirrored_depth_(mirrored_.width(), mirrored_.height(), GL_R32F, GL_NEAREST, GL_CLAMP_TO_EDGE),
       target_({&colour_, &inverse_depth_}, true),
       mirror_target_({&mirrored_, &mirrored_depth_}, true) {}
@@ -17,7 +18,7 @@ OpaquePass::OpaquePass(int width, int height, int mirror_divisor)
 void OpaquePass::draw(const std::vector<PlacedMesh>& meshes) {
   draw_into(target_, meshes, false);
   draw_into(mirror_target_, meshes, true);
-  glGenerateTextureMipmap(mirrored_.id());
+  if (mirror_levels_ > 1) glGenerateTextureMipmap(mirrored_.id());
 }
 
 void OpaquePass::draw_into(const Framebuffer& target, const std::vector<PlacedMesh>& meshes, bool mirror) {

@@ -24,11 +24,14 @@ class OpaquePass {
 
   [[nodiscard]] const Texture& colour() const { return colour_; }
   [[nodiscard]] const Texture& inverse_depth() const { return inverse_depth_; }
-  [[nodiscard]] const Texture& mirrored() const { return mirrored_; }  ///< alpha: covered; with five mip levels
+  [[nodiscard]] const Texture& mirrored() const {
+    return mirrored_;
+  }  ///< alpha: covered; with mip levels unless it is small
 
  private:
   void draw_into(const Framebuffer& target, const std::vector<PlacedMesh>& meshes, bool mirror);
 
+  int mirror_levels_;
   Program program_;
   Texture colour_, inverse_depth_, mirrored_, mirrored_depth_;
   Framebuffer target_, mirror_target_;

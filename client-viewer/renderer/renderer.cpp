@@ -24,7 +24,7 @@
 namespace pelagos {
 namespace {
 
-constexpr GLuint kShadowUnit = 12;  // of textures, in opaque.frag and composite.frag
+constexpr GLuint kSkyUnit = 5, kShadowUnit = 12;  // of textures, in opaque.frag and composite.frag
 constexpr float kSprayThreshold = 0.5F;
 constexpr float kLooseSpray = 0.75F;  // strength of the spray of clumps, whose particles have neighbours
 // Pixels that the particles of a picture may cover, in pictures: a frame of huge ellipsoids must not take minutes. The
@@ -141,7 +141,7 @@ struct Renderer::State {
         opaque(s.width, s.height, s.quality == Quality::kLow ? 4 : 2),
         shadow(shadow_texels(s.quality)),
         far_sea(s.width, s.height,
-                s.quality == Quality::kLow    ? 1.6
+                s.quality == Quality::kLow    ? 2.0
                 : s.quality == Quality::kHigh ? 0.7
                                               : 1.0),
         fluid(size.width, size.height),
@@ -381,6 +381,7 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   const std::vector<PlacedMesh> placed = s.place_bodies(camera, moment);
   s.shadow.draw(placed);
   s.shadow.map().bind(kShadowUnit);
+  s.detail.sky().bind(kSkyUnit);
   s.opaque.draw(placed);
   pass_done();
   s.short_waves.evaluate(moment.time);

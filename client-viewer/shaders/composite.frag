@@ -72,10 +72,10 @@ Detail short_waves(vec2 p, float footprint) {
 #include "wake.glsl"
 
 // Share of a place that foam covers, where `amount` (0..1) of it is there: patches that break up as they fade, and in
-// strong wind streaks along it. Blurred patterns count with their mean.
-float foam_cover(vec2 p, float amount, float footprint, float streaky) {
+// strong wind streaks along it. Blurred patterns count with their mean. The second value is the pattern itself, 0..1.
+vec2 foam_cover(vec2 p, float amount, float footprint, float streaky) {
   float streaking = streaky * 0.36 * smoothstep(11.0, 24.0, wave_axis.w);
-  if (amount + streaking < 0.01) return 0.0;
+  if (amount + streaking < 0.01) return vec2(0.0);
   vec2 q = vec2(dot(p, pattern.xy), dot(p, vec2(-pattern.y, pattern.x))) + pattern.zw;
   float lod = max(log2(footprint * 256.0 / 24.0), 0.0);
   vec2 pattern_here = textureLod(foam_pattern, q / vec2(36.0, 15.0), lod).rg;
@@ -89,7 +89,7 @@ float foam_cover(vec2 p, float amount, float footprint, float streaky) {
   // streaks: long threads that the fine pattern frays
   float shown = 0.75 * thread + 0.25 * fine;
   cover += streaking * mix(smoothstep(0.72, 1.0, shown), 0.10, blurred) * (1.0 - cover);
-  return cover;
+  return vec2(cover, mix(0.4 * coarse + 0.6 * fine, 0.5, blurred));
 }
 
 struct Film { float thickness; float water; };  // um; volume share of water in the emulsion
@@ -203,9 +203,10 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float churned, f
   float glint_variance = variance + 0.0025;
   float glint = exp(-0.5 * dot(miss, miss) / glint_variance) / (glint_variance * 4.0 * pow(max(halfway.z, 0.3), 4.0));
   colour += sun_here * sun.w * vec3(1.0, 0.9, 0.72) * sunlight.rgb * min(glint * 0.05 * fresnel / max(facing, 0.12), 6.0) * (1.0 - image.a);
-  float white = foam_cover(anchored, foam + (1.0 - calm) * detail.foam, footprint, 1.0 - churned);
-  vec3 foam_colour = vec3(0.78, 0.82, 0.84) * (0.42 * sunlight.w + 0.50 * sun_here * sun.w * sunlight.rgb * clamp(dot(n, sun.xyz), 0.0, 1.0));
-  colour = mix(colour, foam_colour, 0.93 * white);
+  vec2 white = foam_cover(anchored, foam + (1.0 - calm) * detail.foam, footprint, 1.0 - churned);
+  // bubbles lie thick where the pattern is high, thin over dark water where it is low
+  vec3 foam_colour = mix(vec3(0.56, 0.65, 0.69), vec3(0.84, 0.87, 0.88), smoothstep(0.15, 0.75, white.y)) * (0.42 * sunlight.w + 0.50 * sun_here * sun.w * sunlight.rgb * clamp(dot(n, sun.xyz), 0.0, 1.0));
+  colour = mix(colour, foam_colour, 0.93 * white.x);
   float haze = 1.0 - exp(-distance_to / level.z);
   return mix(colour, haze_colour(d), haze);
 }

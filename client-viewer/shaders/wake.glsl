@@ -36,7 +36,7 @@ void add_hull(int i, vec2 p, float footprint, inout Wake wake) {
   vec2 q = vec2(dot(r, hull[i].zw), dot(r, vec2(-hull[i].w, hull[i].z)));
   float along = q.x / half_length;
   float go = smoothstep(0.4, 5.0, speed);
-  float entry = along > 0.15 ? 1.0 - pow(clamp((along - 0.15) / 0.80, 0.0, 1.0), 1.9) : 1.0;
+  float fore = clamp((along - 0.15) / 0.80, 0.0, 1.0), entry = 1.0 - fore * fore;
   float edge = abs(q.y) - half_beam * entry;
   float beside = smoothstep(1.12, 0.9, abs(along)) * exp(-max(edge, 0.0) / (0.35 + 0.9 * go));
   float foam = beside * (0.25 + 0.55 * go);
@@ -44,9 +44,9 @@ void add_hull(int i, vec2 p, float footprint, inout Wake wake) {
   float aft_of_bow = half_length * 0.96 - q.x;
   if (aft_of_bow > -2.0) {
     float arm = abs(q.y) - half_beam * entry - 0.3 - 0.22 * max(aft_of_bow, 0.0);
-    float width = 0.7 + 0.07 * max(aft_of_bow, 0.0);
+    float width = 0.8 + 0.10 * max(aft_of_bow, 0.0);
     float inner = arm < 0.0 ? 2.2 : 1.0;  // the foam trails off inwards
-    foam += go * 1.2 * smoothstep(-2.0, 1.5, aft_of_bow) * exp(-arm * arm / (width * width * inner * inner)) * exp(-max(aft_of_bow, 0.0) / (3.0 + 2.0 * speed));
+    foam += go * 1.5 * smoothstep(-2.0, 1.5, aft_of_bow) * exp(-arm * arm / (width * width * inner * inner)) * exp(-max(aft_of_bow, 0.0) / (3.0 + 2.0 * speed));
   }
   float astern = -q.x - half_length * 0.94;
   if (astern > -1.5) {
@@ -56,8 +56,9 @@ void add_hull(int i, vec2 p, float footprint, inout Wake wake) {
     float across = abs(off) / width;
     float core = exp(-across * across * across * across), start = smoothstep(-1.5, 0.5, astern);
     float rims = exp(-16.0 * (across - 0.95) * (across - 0.95));
-    foam += go * start * (core * (0.75 * exp(-age / 5.0) + 0.34 * exp(-age / 40.0)) + 0.38 * rims * exp(-age / 14.0));
-    wake.churned += go * start * core * (0.8 * exp(-age / 18.0) + 0.45 * exp(-age / 80.0));
+    float fades = exp(-age / 40.0), fast = fades * fades * fades, faster = fast * fast * fades;
+    foam += go * start * (core * (0.75 * faster + 0.34 * fades) + 0.38 * rims * fast);
+    wake.churned += go * start * core * (0.8 * fades * fades + 0.45 * sqrt(fades));
   }
   wake.foam += foam;
   vec2 slope = kelvin_slope(vec2(half_length * 0.9 - q.x, q.y - 0.5 * hull_size[i].w * astern * astern), speed, half_beam, footprint);
