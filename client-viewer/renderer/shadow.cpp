@@ -38,7 +38,7 @@ ShadowPlace shadow_place(const std::vector<PlacedMesh>& meshes, const Eigen::Vec
   const Eigen::Array3d middle = 0.5 * (low + high);
   place.u << across / side, 0.5 - middle.x() / side;
   place.v << up / side, 0.5 - middle.y() / side;
-  place.bias = 2.0 * side / texels;
+  place.bias = 3.0 * side / texels;
   place.middle = middle.z();
   place.scale = 1.0 / (1.01 * (high.z() - low.z()));
   return place;

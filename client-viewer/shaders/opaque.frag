@@ -15,7 +15,7 @@ void main() {
   vec3 n = normalize(world_normal);
   if (dot(n, world) > 0.0 && mirror < 0.5) n = -n;  // thin plates are seen from both sides
   // away from the surface, so that it does not shade itself
-  float facing = max(dot(n, sun.xyz), 0.0) * sun_at(shadow_map, world + 0.12 * n);
+  float facing = max(dot(n, sun.xyz), 0.0) * sun_at(shadow_map, world + 0.22 * n);
   // The sky picture's most blurred levels stand for the light from half of the sky.
   vec3 from_above = textureLod(sky, sky_place(normalize(n + vec3(0.0, 0.0, 0.6))), 7.0).rgb;
   vec3 from_below = sunlight.w * vec3(0.10, 0.15, 0.18);

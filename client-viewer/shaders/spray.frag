@@ -14,10 +14,10 @@ void main() {
   float soft = clamp(0.5 + gap / fluid.y, 0.0, 1.0);
   float pattern = textureLod(foam_pattern, 0.09 * corner + grain.xy, lod).r;
   float inside = 1.0 - r;
-  float mist = 0.16 * inside * inside * (0.4 + 0.8 * pattern);
+  float mist = 0.13 * inside * inside * (0.4 + 0.8 * pattern);
   // Where the pattern is high there are drops, fewer towards the edge of the cluster.
   float drops = 0.85 * smoothstep(0.0, 0.12, inside) * smoothstep(0.55, 0.80, pattern - 0.45 * r + 0.1);
-  drops = mix(drops, 0.33 * inside * inside, smoothstep(0.7, 2.2, lod));  // too far away to tell drops
+  drops = mix(drops, 0.31 * inside * inside, smoothstep(0.7, 2.2, lod));  // too far away to tell drops
   float alpha = strength * soft * mix(mist, drops, grain.z);
   // white water: the sky's light, and the sun's through it
   picture = vec4((vec3(0.80, 0.84, 0.87) + 0.06 * sun.w * sunlight.rgb * grain.z) * (0.25 + 0.75 * sunlight.w) * sqrt(sunlight.w), alpha);
