@@ -71,7 +71,7 @@ void command(const std::string& address, const std::vector<std::string>& more) {
 }
 
 /// A busy machine may be slower than real time: the session goes on until it has lasted so long, s simulated.
-void await_simulated(const std::string& address, double seconds) {
+void await_simulated(const std::string& address, double least) {
   const auto end = std::chrono::steady_clock::now() + kPatience;
   while (std::chrono::steady_clock::now() < end) {
     RunningProgram ctl({program("pelagos-ctl"), "--server", address, "status", "--json"});
@@ -79,7 +79,7 @@ void await_simulated(const std::string& address, double seconds) {
     const std::string name = "\"simulation_time\":", status = ctl.output();
     const std::size_t place = status.find(name);
     ASSERT_NE(place, std::string::npos) << status;
-    if (std::stod(status.substr(place + name.size())) >= seconds) return;
+    if (std::stod(status.substr(place + name.size())) >= least) return;
     std::this_thread::sleep_for(milliseconds(100));
   }
 }
