@@ -66,12 +66,7 @@ class SolidScene {
   [[nodiscard]] std::optional<Float4> surface(std::size_t k, const Eigen::Vector3f& x) const {
     if (!boxes_[k].contains(x)) return std::nullopt;
     if (k == solids_.size()) return floor_surface(x);
-    const Solid& solid = solids_[k];
-    const Eigen::Vector3f at = solid.turn.transpose() * (x - solid.place);
-    const std::optional<Float4> found = solid.field->at(at.x(), at.y(), at.z(), reach_);
-    if (!found) return std::nullopt;
-    const Eigen::Vector3f normal = solid.turn * vector_of(*found);
-    return Float4{normal.x(), normal.y(), normal.z(), found->w};
+    return surface_at(solids_[k], x, reach_);
   }
 
  private:
@@ -260,6 +255,14 @@ void take_pushes(const std::vector<BodyPush>& pushes, std::vector<CoupledBody>& 
 }
 
 }  // namespace
+
+std::optional<Float4> surface_at(const Solid& solid, const Eigen::Vector3f& place, float reach) {
+  const Eigen::Vector3f at = solid.turn.transpose() * (place - solid.place);
+  const std::optional<Float4> found = solid.field->at(at.x(), at.y(), at.z(), reach);
+  if (!found) return std::nullopt;
+  const Eigen::Vector3f normal = solid.turn * vector_of(*found);
+  return Float4{normal.x(), normal.y(), normal.z(), found->w};
+}
 
 void find_solid_planes(TaskPool& pool, FluidState& state) {
   if (!meets_surfaces(state)) return;

@@ -62,6 +62,11 @@ bool lies_in(const Box& block, double spacing, const Hold& hold, const BodyState
   return true;
 }
 
+/// Spacings from a surface within which no particle starts. Of a field just so much that no place on the surface
+/// counts: the particles outside then fill the water's volume, whatever its slope. Samples lie 0.6 inside, one spacing
+/// away.
+constexpr double kFieldClearance = 0.01, kSampleClearance = 0.4;
+
 constexpr double kLargerHull = 0.1;      ///< than the mesh: worth a note
 constexpr double kWaterClearance = 1.0;  ///< spacings of water at rest from a hull's samples
 
@@ -192,6 +197,13 @@ bool Bodies::covers(const Eigen::Vector3d& point, double clearance) const {
   const double limit = std::max(2.0 * clearance, kLeastLimit);
   return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
     return body.shape.signed_distance(to_body(body.state, point), limit) < clearance;
+  });
+}
+
+bool Bodies::leaves_no_room(const Eigen::Vector3d& point, double spacing) const {
+  return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
+    const double clearance = (body.fields.empty() ? kSampleClearance : kFieldClearance) * spacing;
+    return body.shape.signed_distance(to_body(body.state, point), 2.0 * clearance) < clearance;
   });
 }
 
@@ -425,9 +437,10 @@ void Bodies::place(const PatchFrame& frame, FluidState& fluid) const {
   fluid.moving_position.resize(volumes_.size());
   fluid.moving_velocity.resize(volumes_.size());
   fluid.coupling.bodies.clear();
-  fluid.solids.clear();
+  fluid.solids.resize(fluid.face_count);
   for (const Body& body : bodies_) {
-    place_fields(body, frame, fluid);
+    place_fields(body, frame, body.moves() ? static_cast<std::int32_t>(fluid.coupling.bodies.size()) : -1,
+                 fluid.solids);
     if (!body.moves()) continue;
     if (const std::size_t count = body.sample_count(); count > 0)
       place_samples(body.shape, body.state, frame, std::span(fluid.moving_position).subspan(body.first_sample, count),
@@ -437,15 +450,22 @@ void Bodies::place(const PatchFrame& frame, FluidState& fluid) const {
   for (std::size_t k = 0; k < volumes_.size(); ++k) fluid.moving_position[k].w = volumes_[k];
 }
 
-void Bodies::place_fields(const Body& body, const PatchFrame& frame, FluidState& fluid) {
+void Bodies::place_fields(const Body& body, const PatchFrame& frame, std::int32_t coupled, std::vector<Solid>& solids) {
   Solid solid;
   solid.turn = body.state.orientation.toRotationMatrix().cast<float>();
   solid.place = frame.to_local(body.state.position).cast<float>();
-  if (body.moves()) solid.body = static_cast<std::int32_t>(fluid.coupling.bodies.size());
+  solid.body = coupled;
   for (const auto& field : body.fields) {
     solid.field = field;
-    fluid.solids.push_back(solid);
+    solids.push_back(solid);
   }
+}
+
+std::vector<Solid> Bodies::standing_solids(const PatchFrame& frame) const {
+  std::vector<Solid> solids;
+  for (const Body& body : bodies_)
+    if (!body.moves()) place_fields(body, frame, -1, solids);
+  return solids;
 }
 
 CoupledBody Bodies::coupled_body(const Body& body, const PatchFrame& frame) {

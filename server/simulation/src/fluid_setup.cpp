@@ -11,7 +11,7 @@ namespace pelagos {
 
 namespace {
 
-/// Fluid particles start at least this far outside a hull, in spacings: with samples 0.6 inside it, one spacing away.
+/// Spacings outside a hull within which the rim of an open sea has no particle.
 constexpr double kHullClearance = 0.4;
 
 SolveMethod solve_method(PressureMethod method) {
@@ -84,7 +84,7 @@ void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, cons
       for (std::int64_t i = 0; i < counts[0]; ++i) {
         const Eigen::Vector3d x =
             first + d * Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
-        if (is_in_hull(bodies, x, d)) continue;
+        if (bodies.leaves_no_room(x, d) || bodies.keeps_dry(x)) continue;
         const Eigen::Vector3f local = frame.to_local(x).cast<float>();
         positions.push_back({local.x(), local.y(), local.z(), 0.0F});
       }
@@ -146,7 +146,7 @@ StartingParticles place_open_sea(const OpenSeaWater& water, double spacing, cons
   for (std::size_t i = 0; i < water.position.size(); ++i) {
     const Float4& local = water.position[i];
     const Eigen::Vector3d x = frame.to_world(Eigen::Vector3d(vector_of(local).cast<double>()));
-    if (water.label[i].w != kHeld && is_in_hull(bodies, x, spacing)) continue;
+    if (water.label[i].w != kHeld && (bodies.leaves_no_room(x, spacing) || bodies.keeps_dry(x))) continue;
     start.position.push_back(local);
     start.velocity.push_back(water.velocity[i]);
     start.label.push_back(water.label[i]);

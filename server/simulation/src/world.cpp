@@ -12,6 +12,7 @@
 #include "scales/scales.hpp"
 #include "simulation/enclosed_waters.hpp"
 #include "simulation/fluid_setup.hpp"
+#include "slanted_faces.hpp"
 #include "version/version.hpp"
 #include "wind_surroundings.hpp"
 
@@ -54,7 +55,11 @@ StartingParticles place_water(TaskPool& pool, const Scene& scene, const Bodies& 
 FluidState make_start(TaskPool& pool, const Scene& scene, const Bodies& bodies, const PatchFrame& frame,
                       const std::optional<OpenSea>& open, const SceneSea& sea) {
   StartingParticles start = place_water(pool, scene, bodies, frame, open, sea);
-  FluidState fluid = make_fluid(pool, fluid_parameters(scene, frame), start.position, start.phase);
+  FluidParameters parameters = fluid_parameters(scene, frame);
+  const std::vector<Solid> faces = take_slanted_faces(bodies.standing_solids(frame), parameters);
+  FluidState fluid = make_fluid(pool, parameters, start.position, start.phase);
+  fluid.solids = faces;
+  fluid.face_count = faces.size();
   std::copy(start.velocity.begin(), start.velocity.end(), fluid.particles.velocity.begin());
   if (open) {
     fluid.particles.label = start.label;

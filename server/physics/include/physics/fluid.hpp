@@ -78,8 +78,9 @@ struct FluidState : WaterState {
   bool walls_move = false;  ///< some moving sample belongs to no body of `coupling`: its velocity counts by itself
   BodyCoupling coupling;    ///< rigid bodies, by their moving samples or by the solids that they are
   /// Solid surfaces that particles know by their distance, as placed by whoever moves the bodies; corrected scheme
-  /// only.
+  /// only. The first `face_count` of them are faces of the patch, which stay.
   std::vector<Solid> solids;
+  std::size_t face_count = 0;
   Floor floor;     ///< as it is at the end of the step; corrected scheme only
   HeldWater held;  ///< corrected scheme only
   SolidPlanes solid_planes;

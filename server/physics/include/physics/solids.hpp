@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "physics/particles.hpp"
@@ -29,6 +30,9 @@ struct Solid {
   Eigen::Vector3f place = Eigen::Vector3f::Zero();     ///< m, local, of the solid's origin
   std::int32_t body = -1;                              ///< in FluidState::coupling; -1: never moves
 };
+
+/// Normal (local axes) and distance, m, of a solid's surface at a place (m, local) less than `reach` from it or inside.
+[[nodiscard]] std::optional<Float4> surface_at(const Solid& solid, const Eigen::Vector3f& place, float reach);
 
 /// Tangent planes of the surfaces near each particle, at the positions where densities were computed. A particle has at
 /// most one surface in each of two slots; surfaces that come near each other are in different slots.

@@ -113,8 +113,15 @@ class Bodies {
   /// the patch, are left out.
   [[nodiscard]] std::vector<Float4> static_samples(const PatchFrame& frame) const;
 
+  /// The surfaces of STATIC bodies that the water meets by their distance.
+  [[nodiscard]] std::vector<Solid> standing_solids(const PatchFrame& frame) const;
+
   /// Whether a point (m, world) is inside a hull or closer to it than `clearance`.
   [[nodiscard]] bool covers(const Eigen::Vector3d& point, double clearance) const;
+
+  /// Whether no particle of water starts at a point (m, world): inside a hull, or nearer to one whose samples the water
+  /// meets than they have to stand.
+  [[nodiscard]] bool leaves_no_room(const Eigen::Vector3d& point, double spacing) const;
 
   /// Of each body, in order: the distance of a point (m, world) to its surface, m, negative inside; no farther than
   /// +-limit.
@@ -213,8 +220,9 @@ class Bodies {
   [[nodiscard]] Refusals contact_faults(const Scene& scene);
   /// A body as the water's solves see it: a driven one about its origin, and it gives way to nothing.
   [[nodiscard]] static CoupledBody coupled_body(const Body& body, const PatchFrame& frame);
-  /// Adds the body's fields to the water's solids, before its coupled body.
-  static void place_fields(const Body& body, const PatchFrame& frame, FluidState& fluid);
+  /// Adds the body's fields to solids.
+  /// @param coupled  index of its coupled body, or -1
+  static void place_fields(const Body& body, const PatchFrame& frame, std::int32_t coupled, std::vector<Solid>& solids);
   void open_hold(const Scene& scene, Body& body) const;
   void touch(double dt);
   void make_sea_bodies(double density);

@@ -32,7 +32,8 @@ struct StartingParticles {
 /// The particles of all blocks, those inside hulls left out: the water's, then the oil's.
 [[nodiscard]] StartingParticles place_blocks(const Scene& scene, const Bodies& bodies, const PatchFrame& frame);
 
-/// Whether a point (m, world) lies in a hull or so near to it that no particle starts there, or in a dry hold.
+/// Whether a point (m, world) lies in a hull or so near to it that no particle of the rim stands there, or in a dry
+/// hold.
 [[nodiscard]] bool is_in_hull(const Bodies& bodies, const Eigen::Vector3d& x, double spacing);
 
 /// The particles of an open sea in its waves, those inside hulls left out, but for the rim's (rim_gaps.hpp).
