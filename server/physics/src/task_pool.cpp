@@ -44,8 +44,9 @@ struct TaskPool::State {
       const std::uint64_t next = t & kMask, end = (t >> kBits) & kMask;
       if (next >= end) return;
       if (!ticket.compare_exchange_weak(t, t + 1, std::memory_order_acq_rel, std::memory_order_acquire)) continue;
+      const std::size_t all = blocks;  // once the block is done, the next loop may be dealt
       (*body)(static_cast<std::size_t>(next));
-      if (completed.fetch_add(1, std::memory_order_acq_rel) + 1 == blocks) completed.notify_one();
+      if (completed.fetch_add(1, std::memory_order_acq_rel) + 1 == all) completed.notify_one();
       t = ticket.load(std::memory_order_acquire);
     }
   }
