@@ -126,7 +126,7 @@ TEST_F(ProbeLoopback, ARequestMadeBeforeTheServerStartsIsTaken) {
     return !requests.empty();
   }));
   EXPECT_EQ(requests[0].sender, 3U);
-  EXPECT_EQ(requests[0].fault, "");
+  EXPECT_EQ(requests[0].refusal, std::nullopt);
   EXPECT_EQ(std::get<SetProbe>(requests[0].command).probe.position, Vector3d(9.0, 2.0, 1.0));
 }
 
@@ -143,10 +143,10 @@ TEST_F(ProbeLoopback, RequestsAreTakenOnceAndFaultsNamed) {
   pelagos_ProbeRequestV1 bad = wire::to_wire(some_probe(0), 3, pelagos_FRAME_ENU);
   bad.position.y = std::numeric_limits<double>::quiet_NaN();
   send(bad);
-  EXPECT_EQ(take(1).at(0).fault, "position is not finite");
+  EXPECT_EQ(take(1).at(0).refusal, (Refusal{"position.y", "is nan; allowed: a finite number, m"}));
   bad.probe = 0;
   send(bad);
-  EXPECT_EQ(take(1).at(0).fault, "probe is 0; allowed: 1 or more");
+  EXPECT_EQ(take(1).at(0).refusal, (Refusal{"probe", "is 0; allowed: 1 or more"}));
 }
 
 TEST_F(ProbeLoopback, NamesWithControlCharactersAreRefusedAndNotPassedOn) {
@@ -156,13 +156,15 @@ TEST_F(ProbeLoopback, NamesWithControlCharactersAreRefusedAndNotPassedOn) {
     send(wire::to_wire(probe, 3, pelagos_FRAME_ENU));
     const auto requests = take(1);
     ASSERT_EQ(requests.size(), 1U);
-    EXPECT_THAT(requests[0].fault, testing::HasSubstr("allowed: up to 64 bytes")) << name;
+    ASSERT_TRUE(requests[0].refusal) << name;
+    EXPECT_EQ(requests[0].refusal->field, "name");
+    EXPECT_THAT(requests[0].refusal->what, testing::HasSubstr("allowed: up to 64 bytes")) << name;
     EXPECT_EQ(std::get<SetProbe>(requests[0].command).probe.name, "probe 4");
   }
   ProbeSettings probe = some_probe(0);
   probe.name = "anem\xc3\xb3metro";
   send(wire::to_wire(probe, 3, pelagos_FRAME_ENU));
-  EXPECT_EQ(take(1).at(0).fault, "");
+  EXPECT_EQ(take(1).at(0).refusal, std::nullopt);
 }
 
 TEST_F(ProbeLoopback, AFloodIsTakenWithinLimitsAndOthersAreServed) {

@@ -109,7 +109,7 @@ void InputGate::take_requests(Batch& batch) {
   for (const ProbeRequest& request : taken_requests_) {
     const std::string source = bridge_name(request.sender);
     std::optional<Refusal> refusal = refuse_in_replay(request.command);
-    if (!refusal && !request.fault.empty()) refusal = Refusal{"", request.fault};
+    if (!refusal) refusal = request.refusal;
     if (!refusal) refusal = commands_.submit(request.command, source);
     if (refusal) batch.refused.push_back({{request.command, source}, *refusal});
   }

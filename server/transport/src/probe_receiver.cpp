@@ -23,23 +23,25 @@ bool is_unfit_for_names(const Character& c) {
   return !c.valid || c.code < 0x20 || within(0x7f, 0x9f) || within(0x2028, 0x202e) || within(0x2066, 0x2069);
 }
 
-std::string fault_of_name(std::string_view name) {
+std::optional<Refusal> find_fault_of_name(std::string_view name) {
   for (std::size_t at = 0; at < name.size();) {
     const Character character = character_at(name, at);
     if (is_unfit_for_names(character))
-      return "name has at byte " + std::to_string(at + 1) + " " + describe_character(character) +
-             "; allowed: up to 64 bytes of UTF-8, none of them a control character";
+      return Refusal{"name", "has at byte " + std::to_string(at + 1) + " " + describe_character(character) +
+                                 "; allowed: up to 64 bytes of UTF-8, none of them a control character"};
     at += character.bytes;
   }
-  return {};
+  return std::nullopt;
 }
 
-std::string fault_of(const pelagos_ProbeRequestV1& sample) {
-  if (sample.probe == 0) return "probe is 0; allowed: 1 or more";
-  if (sample.remove) return {};
+std::optional<Refusal> find_fault(const pelagos_ProbeRequestV1& sample) {
+  if (sample.probe == 0) return Refusal{"probe", "is 0; allowed: 1 or more"};
+  if (sample.remove) return std::nullopt;
   const pelagos_Vector3& x = sample.position;
-  if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z)) return "position is not finite";
-  return fault_of_name(sample.name);
+  const std::pair<const char*, double> parts[] = {{"position.x", x.x}, {"position.y", x.y}, {"position.z", x.z}};
+  for (const auto& [field, value] : parts)
+    if (!std::isfinite(value)) return Refusal{field, "is " + std::to_string(value) + "; allowed: a finite number, m"};
+  return find_fault_of_name(sample.name);
 }
 
 }  // namespace
@@ -59,8 +61,8 @@ class ProbeReceiver::Implementation {
           if (!afford(sample.sender)) return;
           ProbeRequest& request = requests.emplace_back();
           request.sender = sample.sender;
-          request.fault = fault_of(sample);
-          const bool nameless = !fault_of_name(sample.name).empty();
+          request.refusal = find_fault(sample);
+          const bool nameless = find_fault_of_name(sample.name).has_value();
           request.command =
               sample.remove ? Command(RemoveProbe{sample.probe}) : Command(SetProbe{wire::from_wire(sample)});
           if (auto* set = std::get_if<SetProbe>(&request.command); set != nullptr && nameless)

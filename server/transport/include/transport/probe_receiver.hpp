@@ -2,10 +2,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "pelagos_dds/participant.hpp"
+#include "text/refusal.hpp"
 #include "values/command.hpp"
 
 namespace pelagos {
@@ -14,7 +15,7 @@ namespace pelagos {
 struct ProbeRequest {
   std::uint32_t sender = 0;
   Command command;
-  std::string fault;  ///< empty: the command is good as far as it goes without the scene
+  std::optional<Refusal> refusal;  ///< none: the command is good as far as it goes without the scene
 };
 
 /// How many requests are taken. Each one that is becomes a command, an event and a line in the command log, so somebody
