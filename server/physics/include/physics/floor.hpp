@@ -7,7 +7,8 @@
 namespace pelagos {
 
 /// A surface under all water that may bend and move: the bed of a sea, or the lower side of the water that is simulated
-/// of a deeper one. The water meets it as it meets solids (physics/solids.hpp), by the tangent plane at its own x, y.
+/// of a deeper one. The water meets it as it meets solids (physics/solids.hpp), by the tangent plane at the nearest
+/// place.
 struct Floor {
   float x = 0.0F, y = 0.0F;   ///< m, local: of the first node
   float cell = 1.0F;          ///< m, between nodes
@@ -17,11 +18,11 @@ struct Floor {
 
   [[nodiscard]] bool empty() const { return nodes.empty(); }
   /// Height, slopes and rise at a place, as in `nodes`. Between nodes the height is exact where it is quadratic.
-  /// Beyond the outer nodes: as at the nearest place between them.
+  /// The slopes are those of the height. Beyond the outer nodes: as at the nearest place between them.
   [[nodiscard]] Float4 at(float x, float y) const;
 };
 
-/// The tangent plane of a floor at a particle's x, y.
+/// The tangent plane of a floor at the place nearest to a particle.
 struct FloorPlane {
   Float4 surface;      ///< x, y, z: unit normal, upwards; w: the particle's distance, m, negative below
   float speed = 0.0F;  ///< m/s, of the floor along the normal
