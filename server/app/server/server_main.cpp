@@ -152,8 +152,8 @@ int serve(const Arguments& arguments) {
     }
   }
   if (summary.log_failed) return 1;
-  if (summary.state_failed && summary.end != ServerEnd::kNumericalFault) return 1;
   if (summary.end == ServerEnd::kNumericalFault) return 3;
+  if (summary.state_failed) return 1;
   return summary.replay_differs ? 4 : 0;
 }
 

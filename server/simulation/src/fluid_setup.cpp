@@ -71,6 +71,11 @@ PhaseParameters phase_parameters(const OilProperties& oil, double water_viscosit
   return {oil.density, std::max(oil.viscosity, oil.density * water_viscosity)};
 }
 
+/// Whether no particle starts at a point (m, world).
+bool starts_empty(const Bodies& bodies, const Eigen::Vector3d& x, double spacing) {
+  return bodies.leaves_no_room(x, spacing) || bodies.keeps_dry(x);
+}
+
 /// Adds the local positions of a block's particles, those inside hulls left out.
 void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, const PatchFrame& frame,
                 std::vector<Float4>& positions) {
@@ -84,7 +89,7 @@ void fill_block(const Scene& scene, const Box& block, const Bodies& bodies, cons
       for (std::int64_t i = 0; i < counts[0]; ++i) {
         const Eigen::Vector3d x =
             first + d * Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
-        if (bodies.leaves_no_room(x, d) || bodies.keeps_dry(x)) continue;
+        if (starts_empty(bodies, x, d)) continue;
         const Eigen::Vector3f local = frame.to_local(x).cast<float>();
         positions.push_back({local.x(), local.y(), local.z(), 0.0F});
       }
@@ -146,7 +151,7 @@ StartingParticles place_open_sea(const OpenSeaWater& water, double spacing, cons
   for (std::size_t i = 0; i < water.position.size(); ++i) {
     const Float4& local = water.position[i];
     const Eigen::Vector3d x = frame.to_world(Eigen::Vector3d(vector_of(local).cast<double>()));
-    if (water.label[i].w != kHeld && (bodies.leaves_no_room(x, spacing) || bodies.keeps_dry(x))) continue;
+    if (water.label[i].w != kHeld && starts_empty(bodies, x, spacing)) continue;
     start.position.push_back(local);
     start.velocity.push_back(water.velocity[i]);
     start.label.push_back(water.label[i]);
