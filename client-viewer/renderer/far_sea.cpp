@@ -81,15 +81,7 @@ void FarSeaPass::draw(const Camera& camera, double height, const WaveMoment& wav
                    [](const MomentWave& a, const MomentWave& b) { return a.wavenumber < b.wavenumber; });
   waves_.upload(longest_first_.data(), longest_first_.size() * sizeof(MomentWave));
   const SectorRange sectors = visible_sectors(camera, kSectors);
-  const float nothing[4] = {0, 0, 0, 0};
-  const float far_away = 0.0F;
-  target_.bind();
-  glDepthMask(GL_TRUE);
-  glClearNamedFramebufferfv(target_.id(), GL_COLOR, 0, nothing);
-  glClearNamedFramebufferfv(target_.id(), GL_DEPTH, 0, &far_away);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);
-  glDisable(GL_BLEND);
+  target_.begin_solids();
   program_.use();
   program_.set("rings", ring_count_);
   program_.set("first_sector", sectors.first);

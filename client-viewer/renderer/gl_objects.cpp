@@ -107,7 +107,9 @@ Texture::Texture(int width, int height, GLenum format, GLenum filter, GLenum wra
 Texture::~Texture() { glDeleteTextures(1, &id_); }
 
 Framebuffer::Framebuffer(std::initializer_list<const Texture*> colour, bool depth)
-    : width_((*colour.begin())->width()), height_((*colour.begin())->height()) {
+    : colours_(static_cast<GLint>(colour.size())),
+      width_((*colour.begin())->width()),
+      height_((*colour.begin())->height()) {
   glCreateFramebuffers(1, &id_);
   std::vector<GLenum> targets;
   for (const Texture* texture : colour) {
@@ -134,6 +136,17 @@ Framebuffer::~Framebuffer() {
 void Framebuffer::bind() const {
   glBindFramebuffer(GL_FRAMEBUFFER, id_);
   glViewport(0, 0, width_, height_);
+}
+
+void Framebuffer::begin_solids(const std::array<float, 4>& background) const {
+  const float far_away = 0.0F;
+  bind();
+  glDepthMask(GL_TRUE);
+  for (GLint k = 0; k < colours_; ++k) glClearNamedFramebufferfv(id_, GL_COLOR, k, background.data());
+  glClearNamedFramebufferfv(id_, GL_DEPTH, 0, &far_away);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
+  glDisable(GL_BLEND);
 }
 
 Buffer::Buffer() { glCreateBuffers(1, &id_); }

@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <array>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
@@ -75,10 +76,13 @@ class Framebuffer {
 
   /// Bind for drawing and set the viewport to the whole of it.
   void bind() const;
+  /// The same for solids: all colours are `background`, depth (reversed) hides what lies behind, nothing is blended.
+  void begin_solids(const std::array<float, 4>& background = {}) const;
   [[nodiscard]] GLuint id() const { return id_; }
 
  private:
   GLuint id_ = 0, depth_ = 0;
+  GLint colours_;
   int width_, height_;
 };
 

@@ -4,6 +4,14 @@
 
 namespace pelagos {
 
+void draw_meshes(const std::vector<PlacedMesh>& meshes, const Program& program) {
+  for (const PlacedMesh& placed : meshes) {
+    program.set_matrix3("world_from_body", placed.world_from_body.data());
+    program.set_vector3("body_position", placed.position.data());
+    placed.mesh->draw();
+  }
+}
+
 OpaquePass::OpaquePass(int width, int height, int mirror_divisor)
     : mirror_levels_(mirror_divisor > 2 ? 1 : 5),  // a small image is blurred already
       program_("opaque.vert", "opaque.frag"),
@@ -22,23 +30,10 @@ void OpaquePass::draw(const std::vector<PlacedMesh>& meshes) {
 }
 
 void OpaquePass::draw_into(const Framebuffer& target, const std::vector<PlacedMesh>& meshes, bool mirror) {
-  const float nothing[4] = {0, 0, 0, 0};
-  const float far_away = 0.0F;  // depth is reversed
-  target.bind();
-  glDepthMask(GL_TRUE);
-  glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, nothing);
-  glClearNamedFramebufferfv(target.id(), GL_COLOR, 1, nothing);
-  glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &far_away);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);
-  glDisable(GL_BLEND);
+  target.begin_solids();
   program_.use();
   program_.set("mirror", mirror ? 1.0F : 0.0F);
-  for (const PlacedMesh& placed : meshes) {
-    program_.set_matrix3("world_from_body", placed.world_from_body.data());
-    program_.set_vector3("body_position", placed.position.data());
-    placed.mesh->draw();
-  }
+  draw_meshes(meshes, program_);
   glDisable(GL_DEPTH_TEST);
 }
 

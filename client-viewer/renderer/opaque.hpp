@@ -15,6 +15,9 @@ struct PlacedMesh {
   Eigen::Matrix3f world_from_body = Eigen::Matrix3f::Identity();
 };
 
+/// Draws each with a program in use that knows `world_from_body` and `body_position`.
+void draw_meshes(const std::vector<PlacedMesh>& meshes, const Program& program);
+
 /// Draws rigid bodies: once as they are (colour, inverse depth) and once mirrored in the mean water level.
 class OpaquePass {
  public:

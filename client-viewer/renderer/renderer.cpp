@@ -134,6 +134,14 @@ double fluid_scale(Quality quality) {
 
 int shadow_texels(Quality quality) { return quality == Quality::kLow ? 256 : 1024; }
 
+/// What several parts of a frame need, found once.
+struct FrameMoment {
+  WaveMoment waves;
+  Eigen::Vector2d wind = Eigen::Vector2d::Zero();  ///< m/s
+  SkyMoment light;
+  std::vector<PlacedMesh> bodies;
+};
+
 struct Renderer::State {
   explicit State(const RenderSettings& s)
       : settings(s),
@@ -158,7 +166,8 @@ struct Renderer::State {
   void gather(const Camera& camera, const SeaMoment& moment);
   [[nodiscard]] std::vector<PlacedMesh> place_bodies(const Camera& camera, const SeaMoment& moment) const;
   void draw_slick(const Slick& slick);
-  [[nodiscard]] ViewBlock view_block(const Camera& camera, const SeaMoment& moment, const WaveMoment& waves) const;
+  [[nodiscard]] FrameMoment frame_at(const Camera& camera, const SeaMoment& moment) const;
+  [[nodiscard]] ViewBlock view_block(const Camera& camera, const SeaMoment& moment, const FrameMoment& frame) const;
   void fill_hulls(ViewBlock& block, const Camera& camera, const SeaMoment& moment,
                   std::span<const MomentWave> waves) const;
   void upload_view(const ViewBlock& block) {
@@ -174,17 +183,13 @@ struct Renderer::State {
   FarSeaPass far_sea;
   FluidPass fluid;
   CompositePass composite;
-  void renew_sky(double time);
+  void renew_sky(const SkyMoment& light);
   DetailTextures detail;
   std::optional<SkyMoment> sky_shown;
   ShortWaves short_waves{0};
   ShortSea short_sea;
   std::unique_ptr<SlickMap> slick_map;  ///< from the first slick on
   SlickPlace slick_place;               ///< of the map as drawn
-  [[nodiscard]] WaveMoment waves_at(const Camera& camera, const SeaMoment& moment) const {
-    return sea.at(moment.time, camera.eye.head<2>());
-  }
-
   SceneInfo scene;
   WaveField sea;
   std::map<std::shared_ptr<const MeshData>, std::unique_ptr<Mesh>> uploaded;
@@ -223,8 +228,7 @@ void Renderer::State::gather(const Camera& camera, const SeaMoment& moment) {
 }
 
 /// The view block must be bound.
-void Renderer::State::renew_sky(double time) {
-  const SkyMoment light = sky_at(settings.weather, scene.origin, time);
+void Renderer::State::renew_sky(const SkyMoment& light) {
   if (sky_shown && light.looks_like(*sky_shown)) return;
   detail.draw_sky();
   sky_shown = light;
@@ -283,7 +287,19 @@ void Renderer::State::fill_hulls(ViewBlock& block, const Camera& camera, const S
   block.fluid.z() = static_cast<float>(count);
 }
 
-ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& moment, const WaveMoment& waves) const {
+FrameMoment Renderer::State::frame_at(const Camera& camera, const SeaMoment& moment) const {
+  FrameMoment frame;
+  frame.waves = sea.at(moment.time, camera.eye.head<2>());
+  frame.wind = wind_over(moment, frame.waves.waves);
+  frame.light = sky_at(settings.weather, scene.origin, moment.time);
+  frame.bodies = place_bodies(camera, moment);
+  return frame;
+}
+
+ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& moment, const FrameMoment& frame) const {
+  const WaveMoment& waves = frame.waves;
+  const Eigen::Vector2d& wind = frame.wind;
+  const SkyMoment& light = frame.light;
   const FluidSize guarded = fluid_size_of(camera, fluid_scale(settings.quality));
   ViewBlock block = {};
   block.right = vector4(camera.view_from_world.row(0), camera.tan_half_x);
@@ -293,8 +309,6 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   block.fluid_size = vector4(guarded.width, guarded.height, guarded.tan_half_x, guarded.tan_half_y);
   const double spacing = scene.particle_spacing > 0.0 ? scene.particle_spacing : 1.0;
   block.fluid = vector4(guarded.focal_pixels, spacing, 0, 0);
-  const SkyMoment light = sky_at(settings.weather, scene.origin, moment.time);
-  const Eigen::Vector2d wind = wind_over(moment, waves.waves);
   block.level = vector4(scene.water_level - camera.eye.z(), std::fmod(moment.time, 3600.0), light.visibility / 3.0,
                         breaking_envelope(wind.norm()));
   // The origin of the particles is the middle of the patch, also where the patch follows a ship.
@@ -308,7 +322,7 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   block.patch_blend = vector4(present ? 1 : 0, blend.start, blend.full, std::max(folding_of(waves), 1e-6));
   block.sun = vector4(light.sun, light.sun_strength);
   block.sunlight = vector4(light.sun_colour, light.daylight);
-  const ShadowPlace shade = shadow_place(place_bodies(camera, moment), light.sun, shadow_texels(settings.quality));
+  const ShadowPlace shade = shadow_place(frame.bodies, light.sun, shadow_texels(settings.quality));
   block.shadow = {shade.u.cast<float>(), shade.v.cast<float>(), vector4(shade.bias, shade.middle, shade.scale, 0)};
   block.weather = vector4(light.clouds, light.visibility, 0, 0);
   const Eigen::Vector2d axis = main_direction(waves.waves);
@@ -374,20 +388,19 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   };
   s.draw_slick(moment.slick);
   pass_done();
-  const WaveMoment waves = s.waves_at(camera, moment);
-  s.short_waves.set_sea(waves.waves, wind_over(moment, waves.waves));
-  s.upload_view(s.view_block(camera, moment, waves));
-  s.renew_sky(moment.time);
-  const std::vector<PlacedMesh> placed = s.place_bodies(camera, moment);
-  s.shadow.draw(placed);
+  const FrameMoment frame = s.frame_at(camera, moment);
+  s.short_waves.set_sea(frame.waves.waves, frame.wind);
+  s.upload_view(s.view_block(camera, moment, frame));
+  s.renew_sky(frame.light);
+  s.shadow.draw(frame.bodies);
   s.shadow.map().bind(kShadowUnit);
   s.detail.sky().bind(kSkyUnit);
-  s.opaque.draw(placed);
+  s.opaque.draw(frame.bodies);
   pass_done();
   s.short_waves.evaluate(moment.time);
   s.short_sea.upload(s.short_waves);
   const double height = camera.eye.z() - s.scene.water_level;
-  s.far_sea.draw(camera, height, waves, 10.0 * s.scene.particle_spacing);
+  s.far_sea.draw(camera, height, frame.waves, 10.0 * s.scene.particle_spacing);
   pass_done();
   s.gather(camera, moment);
   s.fluid.draw_particles(s.water);
@@ -404,7 +417,7 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
 
 std::vector<float> Renderer::draw_particle_depth(const Camera& camera, const SeaMoment& moment) {
   State& s = *state_;
-  s.upload_view(s.view_block(camera, moment, s.waves_at(camera, moment)));
+  s.upload_view(s.view_block(camera, moment, s.frame_at(camera, moment)));
   s.gather(camera, moment);
   s.fluid.draw_particles(s.water);
   std::vector<float> depth = read_texture(s.fluid.inverse_depth(), 1);

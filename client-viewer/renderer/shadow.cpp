@@ -50,21 +50,9 @@ ShadowPass::ShadowPass(int texels)
       target_({&map_}, true) {}
 
 void ShadowPass::draw(const std::vector<PlacedMesh>& meshes) {
-  const float nothing[4] = {kNoBody, 0, 0, 0};
-  const float far_away = 0.0F;  // depth is reversed
-  target_.bind();
-  glDepthMask(GL_TRUE);
-  glClearNamedFramebufferfv(target_.id(), GL_COLOR, 0, nothing);
-  glClearNamedFramebufferfv(target_.id(), GL_DEPTH, 0, &far_away);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);
-  glDisable(GL_BLEND);
+  target_.begin_solids({kNoBody, 0, 0, 0});
   program_.use();
-  for (const PlacedMesh& placed : meshes) {
-    program_.set_matrix3("world_from_body", placed.world_from_body.data());
-    program_.set_vector3("body_position", placed.position.data());
-    placed.mesh->draw();
-  }
+  draw_meshes(meshes, program_);
   glDisable(GL_DEPTH_TEST);
 }
 
