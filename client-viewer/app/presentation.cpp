@@ -113,7 +113,9 @@ void Presentation::resize(int width, int height) {
   if (width == settings_.width && height == settings_.height) return;
   settings_.width = width;
   settings_.height = height;
-  renderer_ = std::make_unique<Renderer>(settings_);
+  auto renderer = std::make_unique<Renderer>(settings_);
+  renderer->keep_foam_of(*renderer_);
+  renderer_ = std::move(renderer);
   renderer_->set_scene(scene_);
   renderer_->set_meshes(loader_.meshes());
 }

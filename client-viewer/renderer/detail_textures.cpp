@@ -60,7 +60,24 @@ std::vector<float> make_threads() {
   return pattern;
 }
 
-/// Strands and holes: ridges of warped noise over three octaves, spread evenly over 0..1.
+/// How close a place is to a border between cells about random points, `cells` of them a side, 0..1 (Worley 1996).
+float cell_borders(const std::vector<float>& lattice, int cells, float u, float v) {
+  const float x = u * static_cast<float>(cells), y = v * static_cast<float>(cells);
+  const int ix = static_cast<int>(std::floor(x)), iy = static_cast<int>(std::floor(y));
+  float first = 9.0F, second = 9.0F;  // squares of the distances to the two nearest points
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int cx = (ix + dx + cells) % cells, cy = (iy + dy + cells) % cells;
+      const float px = static_cast<float>(ix + dx) + lattice[static_cast<std::size_t>(cy * 64 + cx)];
+      const float py = static_cast<float>(iy + dy) + lattice[static_cast<std::size_t>((63 - cx) * 64 + cy)];
+      const float square = (px - x) * (px - x) + (py - y) * (py - y);
+      second = std::min(second, std::max(first, square));
+      first = std::min(first, square);
+    }
+  return std::max(1.0F - 1.4F * (std::sqrt(second) - std::sqrt(first)), 0.0F);
+}
+
+/// Strands and holes: borders of warped cells over three octaves, spread evenly over 0..1.
 std::vector<float> make_strands() {
   const std::vector<float> lattice = random_lattice(23);
   std::vector<float> pattern(kTile * kTile);
@@ -68,15 +85,15 @@ std::vector<float> make_strands() {
     for (int x = 0; x < kTile; ++x) {
       const float u = static_cast<float>(x) / kTile, v = static_cast<float>(y) / kTile;
       const float wu =
-          u + 0.05F * (tiling_noise(lattice, 8, 8, u, v) - 0.5F) + 0.02F * tiling_noise(lattice, 24, 24, u, v);
+          u + 0.06F * (tiling_noise(lattice, 7, 7, u, v) - 0.5F) + 0.02F * tiling_noise(lattice, 25, 25, u, v);
       const float wv =
-          v + 0.05F * (tiling_noise(lattice, 8, 8, v, u) - 0.5F) + 0.02F * tiling_noise(lattice, 24, 24, v, u);
-      float sum = 0.0F, weight = 0.5F;
-      for (int cells = 9; cells <= 60; cells = cells * 2) {
-        sum += weight * (1.0F - std::abs(2.0F * tiling_noise(lattice, cells, cells, wu, wv) - 1.0F));
-        weight *= 0.55F;
+          v + 0.06F * (tiling_noise(lattice, 7, 7, v, u) - 0.5F) + 0.02F * tiling_noise(lattice, 25, 25, v, u);
+      float sum = 0.45F * tiling_noise(lattice, 5, 5, wu, wv), weight = 0.5F;
+      for (const int cells : {11, 23, 45}) {
+        sum += weight * cell_borders(lattice, cells, wu - std::floor(wu), wv - std::floor(wv));
+        weight *= 0.6F;
       }
-      pattern[static_cast<std::size_t>(y * kTile + x)] = sum + 0.25F * tiling_noise(lattice, 5, 5, u, v);
+      pattern[static_cast<std::size_t>(y * kTile + x)] = sum;
     }
   spread_evenly(pattern);
   return pattern;

@@ -9,9 +9,11 @@
 #include "renderer/detail_textures.hpp"
 #include "renderer/far_sea.hpp"
 #include "renderer/fluid.hpp"
+#include "renderer/foam_layer.hpp"
 #include "renderer/gl_objects.hpp"
 #include "renderer/loose_water.hpp"
 #include "renderer/mesh.hpp"
+#include "renderer/moving_hulls.hpp"
 #include "renderer/opaque.hpp"
 #include "renderer/shadow.hpp"
 #include "renderer/short_sea.hpp"
@@ -24,7 +26,8 @@
 namespace pelagos {
 namespace {
 
-constexpr GLuint kSkyUnit = 5, kShadowUnit = 12;  // of textures, in opaque.frag and composite.frag
+constexpr GLuint kSkyUnit = 5, kShadowUnit = 12, kFoamUnit = 13;  // of textures, in opaque.frag and composite.frag
+constexpr double kLeastSpeed = 0.5;                               // m/s: slower hulls have no wake
 constexpr float kSprayThreshold = 0.5F;
 constexpr float kLooseSpray = 0.75F;  // strength of the spray of clumps, whose particles have neighbours
 // Pixels that the particles of a picture may cover, in pictures: a frame of huge ellipsoids must not take minutes. The
@@ -140,6 +143,8 @@ struct FrameMoment {
   Eigen::Vector2d wind = Eigen::Vector2d::Zero();  ///< m/s
   SkyMoment light;
   std::vector<PlacedMesh> bodies;
+  Eigen::Vector2d flow = Eigen::Vector2d::Zero();  ///< m/s, of the water as a whole
+  std::vector<MovingHull> hulls;
 };
 
 struct Renderer::State {
@@ -168,8 +173,7 @@ struct Renderer::State {
   void draw_slick(const Slick& slick);
   [[nodiscard]] FrameMoment frame_at(const Camera& camera, const SeaMoment& moment) const;
   [[nodiscard]] ViewBlock view_block(const Camera& camera, const SeaMoment& moment, const FrameMoment& frame) const;
-  void fill_hulls(ViewBlock& block, const Camera& camera, const SeaMoment& moment,
-                  std::span<const MomentWave> waves) const;
+  void lay_foam(const Camera& camera, const SeaMoment& moment, const FrameMoment& frame);
   void upload_view(const ViewBlock& block) {
     view.upload(&block, sizeof block);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, view.id());
@@ -188,12 +192,15 @@ struct Renderer::State {
   std::optional<SkyMoment> sky_shown;
   ShortWaves short_waves{0};
   ShortSea short_sea;
+  FoamMap foam;
+  FoamLayer foam_layer;
   std::unique_ptr<SlickMap> slick_map;  ///< from the first slick on
   SlickPlace slick_place;               ///< of the map as drawn
   SceneInfo scene;
   WaveField sea;
   std::map<std::shared_ptr<const MeshData>, std::unique_ptr<Mesh>> uploaded;
   std::map<std::uint32_t, const Mesh*> meshes;  ///< by body, of `uploaded`
+  std::map<std::uint32_t, HullBox> boxes;       ///< of these meshes
   std::vector<DrawnParticle> water, drops;
   PassTimes times = {};
 };
@@ -253,38 +260,42 @@ std::vector<PlacedMesh> Renderer::State::place_bodies(const Camera& camera, cons
   return placed;
 }
 
-/// m/s, horizontal: how the water moves as a whole, by a current or because it flows past a patch that goes along with
-/// a ship. What waves move to and fro does not count.
-Eigen::Vector2d flow_of(std::span<const SurfaceParticle> particles, std::span<const MomentWave> waves) {
-  if (particles.empty()) return Eigen::Vector2d::Zero();
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (const SurfaceParticle& particle : particles) sum += particle.velocity.head<2>().cast<double>();
-  double orbital = 0.04;  // (m/s)^2
-  for (const MomentWave& wave : waves) orbital += 0.5 * std::pow(static_cast<double>(wave.amplitude * wave.omega), 2);
-  const Eigen::Vector2d mean = sum / static_cast<double>(particles.size());
-  return std::clamp(mean.norm() / std::sqrt(orbital) - 1.0, 0.0, 1.0) * mean;
-}
-
-void Renderer::State::fill_hulls(ViewBlock& block, const Camera& camera, const SeaMoment& moment,
-                                 std::span<const MomentWave> waves) const {
-  const Eigen::Vector2d flow = flow_of(moment.particles, waves);
-  std::size_t count = 0;
-  for (const BodyState& body : moment.bodies) {
-    const auto mesh = meshes.find(body.body);
-    if (mesh == meshes.end() || count == block.hull.size()) continue;
-    const Eigen::Vector2d through = body.velocity.head<2>() - flow;
-    const double heading = heading_of(body.orientation);
-    Eigen::Vector2d way(std::cos(heading), std::sin(heading));
-    if (through.dot(way) < 0.0) way = -way;  // astern: the stern is her bow
-    const double speed = through.dot(way);
-    if (speed < 0.5) continue;
-    const double curvature = std::clamp(body.angular_velocity.z() / speed, -0.02, 0.02);
-    const Eigen::Vector3f half = 0.5F * (mesh->second->high() - mesh->second->low());
-    const Eigen::Vector3d offset = body.position - camera.eye;
-    block.hull[count] = vector4(offset.x(), offset.y(), way.x(), way.y());
-    block.hull_size[count++] = vector4(static_cast<double>(half.x()), static_cast<double>(half.y()), speed, curvature);
+/// The nearest hulls that move leave the foam and the waves of wake.glsl.
+void fill_hulls(ViewBlock& block, const Eigen::Vector2d& eye, std::span<const MovingHull> hulls) {
+  std::vector<MovingHull> moving;
+  for (const MovingHull& hull : hulls)
+    if (hull.speed >= kLeastSpeed) moving.push_back(hull);
+  const std::size_t count = std::min(moving.size(), block.hull.size());
+  std::partial_sort(moving.begin(), moving.begin() + static_cast<std::ptrdiff_t>(count), moving.end(),
+                    [&](const MovingHull& a, const MovingHull& b) {
+                      return (a.place - eye).squaredNorm() < (b.place - eye).squaredNorm();
+                    });
+  for (std::size_t i = 0; i < count; ++i) {
+    const MovingHull& hull = moving[i];
+    const Eigen::Vector2d offset = hull.place - eye;
+    block.hull[i] = vector4(offset.x(), offset.y(), hull.way.x(), hull.way.y());
+    block.hull_size[i] = vector4(hull.half_length, hull.half_beam, hull.speed, hull.curvature);
   }
   block.fluid.z() = static_cast<float>(count);
+}
+
+/// Where the foam map's levels lie about the eye.
+void fill_foam(ViewBlock& block, const Eigen::Vector2d& eye, double time, const FoamMap& foam) {
+  const Eigen::Vector2d left = foam.faded(time);
+  block.foam_left = vector4(left.x(), left.y(), foam.present() ? 1.0 : 0.0, 0.0);
+  for (std::size_t i = 0; i < kFoamLevels; ++i) {
+    const FoamLevel& level = foam.levels()[i];
+    const double side = FoamLevel::kSide * level.texel;
+    const Eigen::Vector2d turns = (eye - foam.drift()) / side;
+    const Eigen::Vector2d middle =
+        level.texel *
+            (Eigen::Vector2d(static_cast<double>(level.first[0]), static_cast<double>(level.first[1])).array() +
+             0.5 * FoamLevel::kSide)
+                .matrix() +
+        foam.drift() - eye;
+    block.foam_map[i] = vector4(turns.x() - std::floor(turns.x()), turns.y() - std::floor(turns.y()), 1.0 / side, 0.0);
+    block.foam_window[i] = vector4(middle.x(), middle.y(), 0.5 * side - 4.0 * level.texel, level.texel);
+  }
 }
 
 FrameMoment Renderer::State::frame_at(const Camera& camera, const SeaMoment& moment) const {
@@ -293,7 +304,19 @@ FrameMoment Renderer::State::frame_at(const Camera& camera, const SeaMoment& mom
   frame.wind = wind_over(moment, frame.waves.waves);
   frame.light = sky_at(settings.weather, scene.origin, moment.time);
   frame.bodies = place_bodies(camera, moment);
+  frame.flow = flow_of(moment.particles, frame.waves.waves);
+  frame.hulls = moving_hulls(moment.bodies, boxes, frame.waves, camera.eye.head<2>(), scene.water_level, frame.flow);
   return frame;
+}
+
+void Renderer::State::lay_foam(const Camera& camera, const SeaMoment& moment, const FrameMoment& frame) {
+  const double spacing = scene.particle_spacing > 0.0 ? scene.particle_spacing : 1.0;
+  const Eigen::Vector2d half = 0.5 * scene.patch.size().head<2>();
+  foam.advance(
+      moment.time, camera.eye.head<2>(), frame.flow, frame.hulls,
+      {moment.particles, moment.loose, moment.origin, spacing, half, rim_blend(spacing, 2.0 * half.minCoeff())});
+  foam_layer.upload(foam);
+  foam_layer.bind(kFoamUnit);
 }
 
 ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& moment, const FrameMoment& frame) const {
@@ -343,7 +366,8 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   const Eigen::Vector2d map = slick_place.corner - eye, middle = slick_place.centre - eye;
   block.slick_map = vector4(map.x(), map.y(), oily ? 1.0 / slick_place.length : 0.0, oily ? 1.0 : 0.0);
   block.slick_centre = vector4(middle.x(), middle.y(), slick_place.reach, 0);
-  fill_hulls(block, camera, moment, waves.waves);
+  fill_hulls(block, eye, frame.hulls);
+  fill_foam(block, eye, moment.time, foam);
   return block;
 }
 
@@ -364,6 +388,7 @@ void Renderer::set_scene(const SceneInfo& scene) {
 void Renderer::set_meshes(const BodyMeshes& meshes) {
   std::map<std::shared_ptr<const MeshData>, std::unique_ptr<Mesh>> uploaded;
   state_->meshes.clear();
+  state_->boxes.clear();
   for (const auto& [body, data] : meshes) {
     std::unique_ptr<Mesh>& mesh = uploaded[data];
     if (!mesh) {
@@ -371,9 +396,12 @@ void Renderer::set_meshes(const BodyMeshes& meshes) {
       mesh = known != state_->uploaded.end() ? std::move(known->second) : std::make_unique<Mesh>(*data);
     }
     state_->meshes[body] = mesh.get();
+    state_->boxes[body] = {mesh->low().cast<double>(), mesh->high().cast<double>()};
   }
   state_->uploaded = std::move(uploaded);
 }
+
+void Renderer::keep_foam_of(Renderer& other) { state_->foam = std::move(other.state_->foam); }
 
 void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   State& s = *state_;
@@ -390,6 +418,7 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   pass_done();
   const FrameMoment frame = s.frame_at(camera, moment);
   s.short_waves.set_sea(frame.waves.waves, frame.wind);
+  s.lay_foam(camera, moment, frame);
   s.upload_view(s.view_block(camera, moment, frame));
   s.renew_sky(frame.light);
   s.shadow.draw(frame.bodies);

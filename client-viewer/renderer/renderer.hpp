@@ -62,6 +62,9 @@ class Renderer {
   /// there.
   void set_meshes(const BodyMeshes& meshes);
 
+  /// Takes over the foam that another one has laid down, which goes on without.
+  void keep_foam_of(Renderer& other);
+
   void draw(const Camera& camera, const SeaMoment& moment);
 
   [[nodiscard]] const PassTimes& pass_times() const;  ///< of the last draw

@@ -13,7 +13,9 @@ struct ViewBlock {
   std::array<Eigen::Vector4f, 4> hull, hull_size;
   std::array<Eigen::Vector4f, 3> shadow;
   Eigen::Vector4f slick_map, slick_centre;
+  std::array<Eigen::Vector4f, 2> foam_map, foam_window;
+  Eigen::Vector4f foam_left;
 };
-static_assert(sizeof(ViewBlock) == 31 * 4 * sizeof(float));
+static_assert(sizeof(ViewBlock) == 36 * 4 * sizeof(float));
 
 }  // namespace pelagos

@@ -28,6 +28,9 @@ layout(std140, binding = 0) uniform View {
   vec4 shadow[3];      // map of shadows: a place to its u and to its v; bias (m), middle and scale of its depths
   vec4 slick_map;      // map of the oil film: corner x, y relative to the eye, 1 / length of a side, present (0 or 1)
   vec4 slick_centre;   // middle of the oil: x, y relative to the eye; reach of its elements (m); unused
+  vec4 foam_map[2];    // a level of the foam map: the eye's place x, y in parts of a side, 1 / side (1/m), unused
+  vec4 foam_window[2]; // its middle x, y relative to the eye, from there to its edges (m), length of a texel (m)
+  vec4 foam_left;      // shares of white foam and of bubbles that are left of what it holds; present (0 or 1)
 };
 
 const float kPi = 3.14159265;

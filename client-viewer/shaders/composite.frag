@@ -74,22 +74,31 @@ Detail short_waves(vec2 p, float footprint) {
 // Share of a place that foam covers, where `amount` (0..1) of it is there: patches that break up as they fade, and in
 // strong wind streaks along it. Blurred patterns count with their mean. The second value is the pattern itself, 0..1.
 vec2 foam_cover(vec2 p, float amount, float footprint, float streaky) {
-  float streaking = streaky * 0.36 * smoothstep(11.0, 24.0, wave_axis.w);
+  float streaking = streaky * 0.42 * smoothstep(11.0, 24.0, wave_axis.w);
   if (amount + streaking < 0.01) return vec2(0.0);
   vec2 q = vec2(dot(p, pattern.xy), dot(p, vec2(-pattern.y, pattern.x))) + pattern.zw;
   float lod = max(log2(footprint * 256.0 / 24.0), 0.0);
-  vec2 pattern_here = textureLod(foam_pattern, q / vec2(36.0, 15.0), lod).rg;
-  float coarse = pattern_here.r, thread = pattern_here.g;
-  float fine = textureLod(foam_pattern, q.yx / vec2(4.0, 6.0) + 0.3, lod + 1.8).r;
-  float grain = 0.55 * coarse + 0.45 * fine;
+  // gentle bends, so that neither streaks nor strands run straight and at even distances
+  vec2 bend = vec2(textureLod(foam_pattern, q.yx / vec2(60.0, 90.0), 4.0).r, textureLod(foam_pattern, q / vec2(180.0, 36.0) + 0.2, 3.0).r) - 0.5;
+  float coarse = textureLod(foam_pattern, (q + 5.0 * bend) / vec2(18.0, 12.0), lod + 0.6).r;
+  float fine = textureLod(foam_pattern, q.yx / vec2(4.0, 6.0) + 0.3 + 0.1 * bend, lod + 1.8).r;
+  float bubbles = textureLod(foam_pattern, q / vec2(1.2, 0.9), lod + 3.8).r;
+  float grain = 0.45 * coarse + 0.37 * fine + 0.18 * bubbles;
   amount = clamp(amount, 0.0, 1.0);
-  float lacy = smoothstep(1.0 - amount, 1.35 - amount, grain);
   float blurred = smoothstep(1.5, 5.0, lod);
-  float cover = mix(lacy, amount * amount, blurred) * min(1.0, 0.25 + 1.2 * amount);
-  // streaks: long threads that the fine pattern frays
-  float shown = 0.75 * thread + 0.25 * fine;
-  cover += streaking * mix(smoothstep(0.72, 1.0, shown), 0.10, blurred) * (1.0 - cover);
-  return vec2(cover, mix(0.4 * coarse + 0.6 * fine, 0.5, blurred));
+  // strands that thin out to lace, over a veil of small bubbles
+  float lace = smoothstep(0.95 - 0.85 * amount, 1.30 - 0.85 * amount, grain) * min(1.0, 0.30 + 1.0 * amount);
+  float veil = amount * amount * (0.25 + 0.45 * fine);
+  float cover = mix(1.0 - (1.0 - lace) * (1.0 - veil), amount * (0.25 + 0.6 * amount), blurred);
+  if (streaking > 0.0) {
+    vec2 windrow = q + vec2(9.0, 7.0) * bend;
+    float thread = textureLod(foam_pattern, windrow / vec2(60.0, 15.0), lod).g;
+    // they gather in some places and are frayed
+    float gathered = smoothstep(0.25, 0.8, textureLod(foam_pattern, windrow / vec2(180.0, 60.0) + 0.4, lod * 0.5 + 3.0).r);
+    float shown = 0.62 * thread + 0.23 * fine + 0.15 * coarse;
+    cover += streaking * gathered * mix(smoothstep(0.66, 1.0, shown), 0.10, blurred) * (1.0 - cover);
+  }
+  return vec2(cover, mix(0.3 * coarse + 0.4 * fine + 0.3 * bubbles, 0.5, blurred));
 }
 
 struct Film { float thickness; float water; };  // um; volume share of water in the emulsion
@@ -248,7 +257,7 @@ void main() {
     float clean = (1.0 - oil) * exp(-film.thickness / 70.0);
     Wake wake = wake_at(p.xy, level_step);
     slope += (1.0 - weight) * wake.slope;  // in the patch the particles make the ship's waves
-    float foam = clean * (open_sea.w + 0.85 * weight * max(fluid_here.w, 0.0) + wake.foam);
+    float foam = clean * (open_sea.w + max(0.85 * weight * fluid_here.w, wake.foam));
     colour = shade_water(d, water, slope, foam, clean * wake.churned, oil, film, spread, p.z - level.x, uv, solid);
   } else {
     colour = sky_colour(normalize(d), 0.0);

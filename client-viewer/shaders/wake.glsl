@@ -1,5 +1,6 @@
-// What moving hulls do to the water around and behind them: foam, churned water and Kelvin waves. It follows from the
-// hulls' speed through the water and turn rate alone, so that all channels draw the same.
+// What moving hulls do to the water: Kelvin waves, and the foam that goes along with them, from their speed through the
+// water and turn rate alone; and what they and the particles have left on the water, from the foam map.
+layout(binding = 13) uniform sampler2D foam_levels[2];
 struct Wake {
   float foam;     // 0..1
   float churned;  // 0..1: water full of bubbles, smoothed by turbulence
@@ -35,7 +36,7 @@ void add_hull(int i, vec2 p, float footprint, inout Wake wake) {
   vec2 r = p - hull[i].xy;
   vec2 q = vec2(dot(r, hull[i].zw), dot(r, vec2(-hull[i].w, hull[i].z)));
   float along = q.x / half_length;
-  float go = smoothstep(0.4, 5.0, speed);
+  float go = smoothstep(0.4, 5.0, speed), wash = 1.0 - exp(-speed * speed / 25.0);  // wash_of of foam_map.cpp
   float fore = clamp((along - 0.15) / 0.80, 0.0, 1.0), entry = 1.0 - fore * fore;
   float edge = abs(q.y) - half_beam * entry;
   float beside = smoothstep(1.12, 0.9, abs(along)) * exp(-max(edge, 0.0) / (0.35 + 0.9 * go));
@@ -48,25 +49,37 @@ void add_hull(int i, vec2 p, float footprint, inout Wake wake) {
     float inner = arm < 0.0 ? 2.2 : 1.0;  // the foam trails off inwards
     foam += go * 1.5 * smoothstep(-2.0, 1.5, aft_of_bow) * exp(-arm * arm / (width * width * inner * inner)) * exp(-max(aft_of_bow, 0.0) / (3.0 + 2.0 * speed));
   }
+  // the wash boils for some seconds; what is left of it is on the map
   float astern = -q.x - half_length * 0.94;
   if (astern > -1.5) {
     float age = max(astern, 0.0) / max(speed, 0.3);  // s since the stern was there
-    float off = q.y - 0.5 * hull_size[i].w * astern * astern;
-    float width = half_beam * (0.7 + 0.5 * log2(1.0 + max(astern, 0.0) / half_length)) ;
-    float across = abs(off) / width;
-    float core = exp(-across * across * across * across), start = smoothstep(-1.5, 0.5, astern);
-    float rims = exp(-16.0 * (across - 0.95) * (across - 0.95));
-    float fades = exp(-age / 40.0), fast = fades * fades * fades, faster = fast * fast * fades;
-    foam += go * start * (core * (0.75 * faster + 0.34 * fades) + 0.38 * rims * fast);
-    wake.churned += go * start * core * (0.8 * fades * fades + 0.45 * sqrt(fades));
+    float across = abs(q.y - 0.5 * hull_size[i].w * astern * astern) / (half_beam * (0.72 + 0.03 * age));
+    float core = exp(-across * across * across * across) * smoothstep(-1.5, 0.5, astern);
+    foam += wash * core * 0.75 * exp(-age / 5.0);
   }
   wake.foam += foam;
   vec2 slope = kelvin_slope(vec2(half_length * 0.9 - q.x, q.y - 0.5 * hull_size[i].w * astern * astern), speed, half_beam, footprint);
   wake.slope += -slope.x * hull[i].zw + slope.y * vec2(-hull[i].w, hull[i].z);
 }
 
+// White foam and bubbles on the foam map: the fine level, where it reaches and a pixel is not much larger than its texels.
+vec2 foam_left_at(vec2 p, float footprint) {
+  vec2 from_fine = abs(p - foam_window[0].xy), from_coarse = abs(p - foam_window[1].xy);
+  float fine = smoothstep(foam_window[0].z, 0.85 * foam_window[0].z, max(from_fine.x, from_fine.y)) *
+               smoothstep(5.0 * foam_window[0].w, 2.5 * foam_window[0].w, footprint);
+  float coarse = smoothstep(foam_window[1].z, 0.9 * foam_window[1].z, max(from_coarse.x, from_coarse.y));
+  vec2 here = coarse * textureLod(foam_levels[1], p * foam_map[1].z + foam_map[1].xy, 0.0).rg;
+  if (fine > 0.0) here = mix(here, textureLod(foam_levels[0], p * foam_map[0].z + foam_map[0].xy, 0.0).rg, fine);
+  return here * foam_left.xy;
+}
+
 Wake wake_at(vec2 p, float footprint) {
   Wake wake = Wake(0.0, 0.0, vec2(0.0));
+  if (foam_left.z > 0.5) {
+    vec2 left = foam_left_at(p, footprint);
+    wake.foam = left.x;
+    wake.churned = left.y;
+  }
   int hulls = int(fluid.z);
   for (int i = 0; i < hulls; ++i) add_hull(i, p, footprint, wake);
   wake.churned = min(wake.churned, 1.0);

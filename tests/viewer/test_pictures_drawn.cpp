@@ -137,20 +137,26 @@ int white_pixels(const Picture& picture) {
   return white;
 }
 
-TEST_F(Graphics, AHullLeavesAWakeByItsSpeedThroughTheWater) {
+/// A sea with a ship that goes at that speed over ground, in water that flows against her.
+int white_about_a_ship(double speed, double flow_against) {
   SyntheticSea sea(32);
-  for (SurfaceParticle& particle : sea.frame().particles) particle.foam = 0;
   BodyState& ship = sea.frame().bodies.front();
   const Eigen::Vector3d way = ship.velocity.normalized();
-  ship.velocity.setZero();
-  const int at_rest = white_pixels(sea.draw("above").picture);
-  ship.velocity = 7.2 * way;
-  const int under_way = white_pixels(sea.draw("above").picture);
-  EXPECT_GT(under_way, at_rest + 300);
+  ship.velocity = speed * way;
+  for (SurfaceParticle& particle : sea.frame().particles) {
+    particle.foam = 0;
+    particle.velocity = (-flow_against * way).cast<float>();
+  }
+  return white_pixels(sea.draw("above").picture);
+}
+
+TEST_F(Graphics, AHullLeavesAWakeByItsSpeedThroughTheWater) {
+  const int at_rest = white_about_a_ship(0.0, 0.0), slow = white_about_a_ship(3.0, 0.0),
+            fast = white_about_a_ship(7.2, 0.0);
+  EXPECT_GT(slow, at_rest + 50);
+  EXPECT_GT(fast, slow + 200) << "the wash tells the speed";
   // The same ship held against a current
-  ship.velocity.setZero();
-  for (SurfaceParticle& particle : sea.frame().particles) particle.velocity = (-7.2 * way).cast<float>();
-  EXPECT_NEAR(white_pixels(sea.draw("above").picture), under_way, 0.1 * under_way);
+  EXPECT_NEAR(white_about_a_ship(0.0, 7.2), fast, 0.1 * fast);
 }
 
 /// Where the patch stands apart from the waves around, its rim must not be drawn as a wall between the two.
