@@ -10,37 +10,55 @@ constexpr std::size_t kSpritesOfADrop = 8;  // kSprites of spray.vert
 }  // namespace
 
 CompositePass::CompositePass(int width, int height, bool smooth_edges)
-    : composite_program_("screen.vert", "composite.frag"),
+    : join_program_("screen.vert", "join.frag"),
+      water_program_("screen.vert", "water.frag"),
       spray_program_("spray.vert", "spray.frag"),
       edge_program_("screen.vert", "fxaa.frag"),
       picture_(width, height, GL_RGBA8, GL_LINEAR, GL_CLAMP_TO_EDGE),
       scene_inverse_(width, height, GL_R32F, GL_NEAREST, GL_CLAMP_TO_EDGE),
       smoothed_(width, height, GL_RGBA8, GL_NEAREST, GL_CLAMP_TO_EDGE),
-      target_({&picture_, &scene_inverse_}),
+      water_surface_(width, height, GL_RGBA32F, GL_NEAREST, GL_CLAMP_TO_EDGE),
+      water_traits_(width, height, GL_RGBA16F, GL_NEAREST, GL_CLAMP_TO_EDGE),
+      join_target_({&picture_, &scene_inverse_, &water_surface_, &water_traits_}, true),
+      water_target_({&picture_}, join_target_),
       spray_target_({&picture_}),
       smooth_target_({&smoothed_}),
       smooth_edges_(smooth_edges) {}
 
 void CompositePass::compose(const OpaquePass& opaque, const FarSeaPass& far_sea, const ShortSea& short_sea,
                             const FluidPass& fluid, const DetailTextures& detail, const SlickMap* slick) {
-  target_.bind();
-  glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
-  const Texture* textures[] = {&opaque.colour(), &opaque.inverse_depth(), &far_sea.surface(),
-                               &fluid.surface(), &opaque.mirrored(),      &detail.sky()};
-  GLuint unit = 0;
-  for (const Texture* texture : textures) texture->bind(unit++);
+  opaque.colour().bind(0);
+  opaque.inverse_depth().bind(1);
+  detail.sky().bind(5);
+  nothing_.bind();
+
+  join_target_.bind();
+  far_sea.surface().bind(2);
+  fluid.surface().bind(3);
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_ALWAYS);
+  join_program_.use();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+
+  water_target_.bind();
+  water_surface_.bind(2);
+  water_traits_.bind(3);
+  opaque.mirrored().bind(4);
   detail.foam().bind(7);
   for (std::size_t t = 0; t < kShortWaveTiles; ++t) short_sea.tile(t).bind(static_cast<GLuint>(9 + t));
+  glDepthMask(GL_FALSE);
+  glDepthFunc(GL_GREATER);  // screen.vert draws at 0.5: over the 0 of water
   if (slick != nullptr) {
-    if (!oily_program_) oily_program_ = std::make_unique<Program>("screen.vert", "composite.frag", "WITH_SLICK");
+    if (!oily_program_) oily_program_ = std::make_unique<Program>("screen.vert", "water.frag", "WITH_SLICK");
     slick->film().bind(8);
     oily_program_->use();
   } else {
-    composite_program_.use();
+    water_program_.use();
   }
-  nothing_.bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_DEPTH_TEST);
 }
 
 void CompositePass::draw_spray(std::span<const DrawnParticle> drops, const DetailTextures& detail) {

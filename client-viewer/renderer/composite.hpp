@@ -30,9 +30,9 @@ class CompositePass {
 
  private:
   std::unique_ptr<Program> oily_program_;  ///< from the first slick on
-  Program composite_program_, spray_program_, edge_program_;
-  Texture picture_, scene_inverse_, smoothed_;
-  Framebuffer target_, spray_target_, smooth_target_;
+  Program join_program_, water_program_, spray_program_, edge_program_;
+  Texture picture_, scene_inverse_, smoothed_, water_surface_, water_traits_;
+  Framebuffer join_target_, water_target_, spray_target_, smooth_target_;
   Buffer drops_, quads_;
   VertexArray nothing_, array_;
   bool smooth_edges_;

@@ -123,6 +123,16 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture*> colour, bool dept
     glNamedRenderbufferStorage(depth_, GL_DEPTH_COMPONENT32F, width_, height_);
     glNamedFramebufferRenderbuffer(id_, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
   }
+  check();
+}
+
+Framebuffer::Framebuffer(std::initializer_list<const Texture*> colour, const Framebuffer& depth_of)
+    : Framebuffer(colour) {
+  glNamedFramebufferRenderbuffer(id_, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_of.depth_);
+  check();
+}
+
+void Framebuffer::check() const {
   if (glCheckNamedFramebufferStatus(id_, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     throw GraphicsError("this OpenGL cannot draw into a buffer of " + std::to_string(width_) + " x " +
                         std::to_string(height_) + " pixels; try a smaller --size");

@@ -70,6 +70,8 @@ class Texture {
 class Framebuffer {
  public:
   explicit Framebuffer(std::initializer_list<const Texture*> colour, bool depth = false);
+  /// With the depth buffer of another one of the same size, which must outlive it.
+  Framebuffer(std::initializer_list<const Texture*> colour, const Framebuffer& depth_of);
   ~Framebuffer();
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
@@ -81,7 +83,9 @@ class Framebuffer {
   [[nodiscard]] GLuint id() const { return id_; }
 
  private:
-  GLuint id_ = 0, depth_ = 0;
+  void check() const;
+
+  GLuint id_ = 0, depth_ = 0;  // depth_: its own, else 0
   GLint colours_;
   int width_, height_;
 };

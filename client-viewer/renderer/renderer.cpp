@@ -26,7 +26,7 @@
 namespace pelagos {
 namespace {
 
-constexpr GLuint kSkyUnit = 5, kShadowUnit = 12, kFoamUnit = 13;  // of textures, in opaque.frag and composite.frag
+constexpr GLuint kSkyUnit = 5, kShadowUnit = 12, kFoamUnit = 13;  // of textures, in opaque.frag and water.frag
 constexpr double kLeastSpeed = 0.5;                               // m/s: slower hulls have no wake
 constexpr float kSprayThreshold = 0.5F;
 constexpr float kLooseSpray = 0.75F;  // strength of the spray of clumps, whose particles have neighbours

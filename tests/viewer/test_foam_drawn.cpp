@@ -27,7 +27,7 @@ class Voyage {
     ship_.position.x() = 7.2 * std::min(time, stops);
     Channel channel;
     channel.mount.eye = {over.y() - 40.0, -over.x(), 30.0};  // north, west, up
-    channel.mount.heading_deg = 0.0;  // to the north
+    channel.mount.heading_deg = 0.0;                         // to the north
     channel.yaw_deg = yaw_deg;
     channel.mount.tilt_deg = -36.0;
     channel.horizontal_fov_deg = 40.0;

@@ -1,50 +1,18 @@
 // The macro WITH_SLICK is defined where there is a film of oil.
-// Puts ship, sea, patch and sky together. The patch joins the open sea by blending inverse depth and slopes over its rim.
+// Colours the pixels of water that join.frag has found.
 in vec2 ndc;
 layout(binding = 0) uniform sampler2D opaque_colour;
 layout(binding = 1) uniform sampler2D opaque_inverse;
-layout(binding = 2) uniform sampler2D far_sea;
-layout(binding = 3) uniform sampler2D fluid_surface;
+layout(binding = 2) uniform sampler2D water_surface;
+layout(binding = 3) uniform sampler2D water_traits;
 layout(binding = 4) uniform sampler2D mirrored;
-layout(binding = 5) uniform sampler2D sky;
 layout(binding = 7) uniform sampler2D foam_pattern;
 layout(binding = 8) uniform sampler2D film_map;
 layout(binding = 9) uniform sampler2D short_sea[3];
 layout(binding = 12) uniform sampler2D shadow_map;
 layout(location = 0) out vec4 picture;
-layout(location = 1) out float scene_inverse;
 
-vec3 sky_colour(vec3 d, float blur) {
-  vec3 colour = textureLod(sky, sky_place(d), blur).rgb;
-  return colour;
-}
-// What the air adds on a long way: the sky just above the horizon, blurred.
-vec3 haze_colour(vec3 d) { return textureLod(sky, 0.5 + 0.47 * normalize(d.xy + 1e-6), 5.0).rgb; }
-
-// Filmic curve with a toe, so that deep water stays deep, and a soft shoulder for sky and foam.
-vec3 tone_map(vec3 c) {
-  c *= 1.12;
-  c = c * (c + 0.26) / (c * (0.80 * c + 0.62) + 0.30);
-  // c^(1 / 2.2) within 0.002, by roots, which cost less
-  vec3 root = sqrt(clamp(c, 0.0, 1.0)), fourth = sqrt(root), eighth = sqrt(fourth);
-  return 0.5851 * root + 0.7831 * fourth - 0.3683 * eighth;
-}
-
-// The fluid at full resolution: bilinear where its four texels lie on one surface. At a silhouette the nearer or the
-// farther part alone, whichever weighs more, so that edges do not show the texels.
-vec4 fluid_at(vec2 uv) {
-  vec4 four = textureGather(fluid_surface, uv, 0);  // lower left is w, lower right z, upper right y, upper left x
-  float low = min(min(four.x, four.y), min(four.z, four.w)), high = max(max(four.x, four.y), max(four.z, four.w));
-  if (high <= 0.0) return vec4(0.0);
-  if (low > 0.75 * high) return textureLod(fluid_surface, uv, 0.0);
-  vec2 f = fract(uv * fluid_size.xy - 0.5);
-  vec4 weights = vec4((1.0 - f.x) * f.y, f.x * f.y, f.x * (1.0 - f.y), (1.0 - f.x) * (1.0 - f.y));
-  vec4 near = step(vec4(0.75 * high), four);
-  vec4 chosen = weights * (dot(weights, near) > 0.5 ? near : 1.0 - near);
-  chosen /= dot(chosen, vec4(1.0));
-  return vec4(dot(chosen, four), dot(chosen, textureGather(fluid_surface, uv, 1)),
-              dot(chosen, textureGather(fluid_surface, uv, 2)), dot(chosen, textureGather(fluid_surface, uv, 3)));
-}
+#include "air.glsl"
 
 struct Detail { vec2 slope; float variance; float foam; };
 // Waves that the far sea's grid and the particles do not show: tiles of short waves, anchored in the world. What a pixel
@@ -79,7 +47,7 @@ vec2 foam_cover(vec2 p, float amount, float footprint, float streaky) {
   vec2 q = vec2(dot(p, pattern.xy), dot(p, vec2(-pattern.y, pattern.x))) + pattern.zw;
   float lod = max(log2(footprint * 256.0 / 24.0), 0.0);
   // gentle bends, so that neither streaks nor strands run straight and at even distances
-  vec2 bend = vec2(textureLod(foam_pattern, q.yx / vec2(60.0, 90.0), 4.0).r, textureLod(foam_pattern, q / vec2(180.0, 36.0) + 0.2, 3.0).r) - 0.5;
+  vec2 bend = textureLod(foam_pattern, q / vec2(180.0, 60.0) + 0.2, 3.5).rg - 0.5;
   float coarse = textureLod(foam_pattern, (q + 5.0 * bend) / vec2(18.0, 12.0), lod + 0.6).r;
   float fine = textureLod(foam_pattern, q.yx / vec2(4.0, 6.0) + 0.3 + 0.1 * bend, lod + 1.8).r;
   float bubbles = textureLod(foam_pattern, q / vec2(1.2, 0.9), lod + 3.8).r;
@@ -94,7 +62,7 @@ vec2 foam_cover(vec2 p, float amount, float footprint, float streaky) {
     vec2 windrow = q + vec2(9.0, 7.0) * bend;
     float thread = textureLod(foam_pattern, windrow / vec2(60.0, 15.0), lod).g;
     // they gather in some places and are frayed
-    float gathered = smoothstep(0.25, 0.8, textureLod(foam_pattern, windrow / vec2(180.0, 60.0) + 0.4, lod * 0.5 + 3.0).r);
+    float gathered = smoothstep(-0.25, 0.3, bend.x);
     float shown = 0.62 * thread + 0.23 * fine + 0.15 * coarse;
     cover += streaking * gathered * mix(smoothstep(0.66, 1.0, shown), 0.10, blurred) * (1.0 - cover);
   }
@@ -224,46 +192,22 @@ void main() {
   vec2 uv = 0.5 * ndc + 0.5;
   vec3 d = ray_through(ndc);
   float solid = textureLod(opaque_inverse, uv, 0.0).r;
-  vec4 open_sea = textureLod(far_sea, uv, 0.0);
-  vec4 fluid_here = fluid_at(0.5 * ndc * vec2(right.w, up.w) / fluid_size.zw + 0.5);
-  float weight = fluid_here.x > 0.0 ? patch_weight(d.xy / fluid_here.x) : 0.0;
-  // Where the two surfaces lie far apart along the ray, one of them is a crest that hides what is behind it. A mean of both
-  // would stand there as a wall.
-  float apart = max(open_sea.x, fluid_here.x) / max(min(open_sea.x, fluid_here.x), 1e-6);
-  weight = mix(weight, step(0.5, weight), smoothstep(1.06, 1.25, apart));
-  float water = mix(open_sea.x, fluid_here.x, weight);
-  if (open_sea.x <= 0.0) water = weight > 0.5 ? fluid_here.x : 0.0;
-  // A particle is about a spacing wide: water that seems to lie that thin on the dry parts of a hull is only its width.
-  if (solid > 0.0 && water > solid && d.z / solid - level.x > 1.1 &&
-      (1.0 / solid - 1.0 / water) * length(d) < 1.6 * fluid.y) water = 0.0;
-  vec2 place = d.xy / max(water, 1e-5);
+  vec4 surface = textureLod(water_surface, uv, 0.0), traits = textureLod(water_traits, uv, 0.0);
+  float water = max(surface.x, 1e-5);
+  vec2 place = d.xy / water;
   // How far the place on level water recedes from one line to the next.
-  float level_step = length(d) / (max(water, 1e-5) * forward.w * clamp(-d.z / length(d), 0.01, 1.0));
+  float level_step = length(d) / (water * forward.w * clamp(-d.z / length(d), 0.01, 1.0));
   Film film = Film(0.0, 0.0);
   float spread = 0.0;
 #ifdef WITH_SLICK
-  // Not in a branch, for its differences between pixels.
   if (slick_map.w > 0.0) film = film_at(place, level_step);
   spread = min(fwidth(film.thickness), 1e3);
 #endif
-  vec3 colour;
-  if (solid > water) {
-    colour = mix(textureLod(opaque_colour, uv, 0.0).rgb, haze_colour(d), 1.0 - exp(-length(d) / (solid * level.z)));
-  } else if (water > 0.0) {
-    vec2 own = fluid_here.yz / (1.0 + 0.6 * length(fluid_here.yz));
-    vec2 slope = open_sea.yz + weight * own;
-    vec3 p = d / water;
-    float oil = weight * smoothstep(0.15, 0.55, -fluid_here.w);
-    float clean = (1.0 - oil) * exp(-film.thickness / 70.0);
-    Wake wake = wake_at(p.xy, level_step);
-    slope += (1.0 - weight) * wake.slope;  // in the patch the particles make the ship's waves
-    float foam = clean * (open_sea.w + max(0.85 * weight * fluid_here.w, wake.foam));
-    colour = shade_water(d, water, slope, foam, clean * wake.churned, oil, film, spread, p.z - level.x, uv, solid);
-  } else {
-    colour = sky_colour(normalize(d), 0.0);
-    colour = mix(colour, haze_colour(d), exp(-abs(d.z) / length(d) * 30.0));
-  }
-  scene_inverse = max(solid, water);
+  float oil = traits.y, clean = (1.0 - oil) * exp(-film.thickness / 70.0);
+  Wake wake = wake_at(place, level_step);
+  vec2 slope = surface.yz + (1.0 - traits.x) * wake.slope;  // in the patch the particles make the ship's waves
+  float foam = clean * (surface.w + max(traits.z, wake.foam));
+  vec3 colour = shade_water(d, water, slope, foam, clean * wake.churned, oil, film, spread, d.z / water - level.x, uv, solid);
   colour = tone_map(colour);
   picture = vec4(colour, dot(colour, vec3(0.299, 0.587, 0.114)));
 }
