@@ -66,6 +66,10 @@ void move_to(FoamLevel& level, const std::array<std::int64_t, 2>& first) {
   mark_all(level);
 }
 
+Eigen::Vector2d to_port(const Eigen::Vector2d& way) { return {-way.y(), way.x()}; }
+
+}  // namespace
+
 MovingHull between(const MovingHull& a, const MovingHull& b, double share) {
   MovingHull hull = b;
   hull.place = a.place + share * (b.place - a.place);
@@ -73,12 +77,9 @@ MovingHull between(const MovingHull& a, const MovingHull& b, double share) {
   if (way.norm() > 1e-3) hull.way = way.normalized();
   hull.speed = std::lerp(a.speed, b.speed, share);
   hull.slam = std::lerp(a.slam, b.slam, share);
+  hull.bow_water = std::lerp(a.bow_water, b.bow_water, share);
   return hull;
 }
-
-Eigen::Vector2d to_port(const Eigen::Vector2d& way) { return {-way.y(), way.x()}; }
-
-}  // namespace
 
 double wash_of(double speed) { return 1.0 - std::exp(-std::pow(speed / kWashSpeed, 2)); }
 

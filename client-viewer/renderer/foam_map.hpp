@@ -21,8 +21,12 @@ struct MovingHull {
   double half_length = 1.0, half_beam = 1.0;        ///< m
   double speed = 0.0;                               ///< m/s, through the water, along `way`
   double curvature = 0.0;                           ///< 1/m, of her path, positive to port
-  double slam = 0.0;  ///< m/s: how fast the water rises at her bow, or the bow comes down on it; < 0: they part
+  double slam = 0.0;       ///< m/s: how fast the water rises at her bow, or the bow comes down on it; < 0: they part
+  double bow_water = 0.0;  ///< m, height of the water at her bow above its mean level
 };
+
+/// A hull between two instants. @param share  0: as `a`, 1: as `b`
+[[nodiscard]] MovingHull between(const MovingHull& a, const MovingHull& b, double share);
 
 /// Foam of the simulated water at an instant. Spans must outlive the call.
 struct PatchFoam {

@@ -40,6 +40,7 @@ MovingHull hull_of(const BodyState& body, const HullBox& box, const WaveMoment& 
   // How far the stem is in the water: a bow that stands clear of it, or is deep in it, does not strike it.
   const double depth = level + static_cast<double>(water.elevation) - stem.z();
   const double struck = std::clamp((depth + 1.5) / 1.5, 0.0, 1.0) * std::clamp((4.0 - depth) / 2.0, 0.0, 1.0);
+  hull.bow_water = static_cast<double>(water.elevation);
   hull.slam = struck * (climbs + sinks);
   return hull;
 }

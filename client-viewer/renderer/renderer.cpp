@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/bow_spray.hpp"
 #include "renderer/composite.hpp"
 #include "renderer/detail_textures.hpp"
 #include "renderer/far_sea.hpp"
@@ -77,9 +78,20 @@ Eigen::Vector2d streak_axis(const Eigen::Vector2d& wind) {
 constexpr std::uint8_t kOilPhase = 1;
 
 /// A drop as spray.vert reads it: the velocity stands in the place of the orientation, which drops do not have.
-DrawnParticle as_drop(DrawnParticle drop, const SurfaceParticle& particle, float strength) {
-  for (int axis = 0; axis < 3; ++axis) drop.orientation[axis] = particle.velocity[axis];
+/// The first axis is its size, the second tells whether it is also drawn outside of the patch.
+DrawnParticle as_drop(DrawnParticle drop, const Eigen::Vector3f& velocity, float size, float strength) {
+  for (int axis = 0; axis < 3; ++axis) drop.orientation[axis] = velocity[axis];
+  drop.semi_axes[0] = size;
+  drop.semi_axes[1] = 0.0F;
   drop.spray = strength;
+  return drop;
+}
+
+DrawnParticle as_drop(const SprayCluster& cluster, const Eigen::Vector3d& eye) {
+  const Eigen::Vector3f at = (cluster.place - eye).cast<float>();
+  DrawnParticle drop = as_drop({{at.x(), at.y(), at.z()}, 0, {}, {}, 0}, cluster.velocity.cast<float>(),
+                               static_cast<float>(cluster.size), static_cast<float>(cluster.strength));
+  drop.semi_axes[1] = 1.0F;
   return drop;
 }
 
@@ -168,7 +180,7 @@ struct Renderer::State {
     return fluid_size_of(camera, fluid_scale(s.quality));
   }
 
-  void gather(const Camera& camera, const SeaMoment& moment);
+  void gather(const Camera& camera, const SeaMoment& moment, const FrameMoment& frame);
   [[nodiscard]] std::vector<PlacedMesh> place_bodies(const Camera& camera, const SeaMoment& moment) const;
   void draw_slick(const Slick& slick);
   [[nodiscard]] FrameMoment frame_at(const Camera& camera, const SeaMoment& moment) const;
@@ -194,6 +206,7 @@ struct Renderer::State {
   ShortSea short_sea;
   FoamMap foam;
   FoamLayer foam_layer;
+  BowSpray bow_spray;
   std::unique_ptr<SlickMap> slick_map;  ///< from the first slick on
   SlickPlace slick_place;               ///< of the map as drawn
   SceneInfo scene;
@@ -205,7 +218,7 @@ struct Renderer::State {
   PassTimes times = {};
 };
 
-void Renderer::State::gather(const Camera& camera, const SeaMoment& moment) {
+void Renderer::State::gather(const Camera& camera, const SeaMoment& moment, const FrameMoment& frame) {
   water.clear();
   drops.clear();
   const FluidSize guarded = fluid_size_of(camera, fluid_scale(settings.quality));
@@ -214,11 +227,16 @@ void Renderer::State::gather(const Camera& camera, const SeaMoment& moment) {
   double to_cover = kMostLayers * all;
   const Eigen::Vector3f offset = (moment.origin - camera.eye).cast<float>();
   const auto ahead = static_cast<float>(moment.ahead);
+  const auto spacing = static_cast<float>(scene.particle_spacing > 0.0 ? scene.particle_spacing : 1.0);
   std::vector<std::uint8_t> found;
   std::span<const std::uint8_t> loose = moment.loose;
   if (loose.size() != moment.particles.size()) {
     found = find_loose_water(moment.particles, scene.particle_spacing > 0.0 ? scene.particle_spacing : 1.0);
     loose = found;
+  }
+  for (const SprayCluster& cluster : bow_spray.clusters(moment.time, scene.water_level, frame.wind)) {
+    const DrawnParticle drop = as_drop(cluster, camera.eye);
+    if (frustum.may_see(drop.centre, 2.0F * drop.semi_axes[0])) drops.push_back(drop);
   }
   for (std::size_t i = 0; i < moment.particles.size(); ++i) {
     const SurfaceParticle& particle = moment.particles[i];
@@ -228,7 +246,7 @@ void Renderer::State::gather(const Camera& camera, const SeaMoment& moment) {
     to_cover -= frustum.covered(one.centre, reach, all);
     if (to_cover < 0.0) break;
     if (loose[i] != 0 || one.spray > kSprayThreshold)
-      drops.push_back(as_drop(one, particle, std::max(one.spray, kLooseSpray)));
+      drops.push_back(as_drop(one, particle.velocity, spacing, std::max(one.spray, kLooseSpray)));
     else
       water.push_back(one);
   }
@@ -431,7 +449,8 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   const double height = camera.eye.z() - s.scene.water_level;
   s.far_sea.draw(camera, height, frame.waves, 10.0 * s.scene.particle_spacing);
   pass_done();
-  s.gather(camera, moment);
+  s.bow_spray.advance(moment.time, frame.hulls);
+  s.gather(camera, moment, frame);
   s.fluid.draw_particles(s.water);
   pass_done();
   s.fluid.smooth();
@@ -446,8 +465,9 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
 
 std::vector<float> Renderer::draw_particle_depth(const Camera& camera, const SeaMoment& moment) {
   State& s = *state_;
-  s.upload_view(s.view_block(camera, moment, s.frame_at(camera, moment)));
-  s.gather(camera, moment);
+  const FrameMoment frame = s.frame_at(camera, moment);
+  s.upload_view(s.view_block(camera, moment, frame));
+  s.gather(camera, moment, frame);
   s.fluid.draw_particles(s.water);
   std::vector<float> depth = read_texture(s.fluid.inverse_depth(), 1);
   for (float& value : depth) value = value > 0.0F ? 1.0F / value : 0.0F;

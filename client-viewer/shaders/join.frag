@@ -47,7 +47,7 @@ void main() {
       (1.0 / solid - 1.0 / water) * length(d) < 1.6 * fluid.y) water = 0.0;
   vec2 own = fluid_here.yz / (1.0 + 0.6 * length(fluid_here.yz));
   water_surface = vec4(water, open_sea.yz + weight * own, open_sea.w);
-  water_traits = vec4(weight, weight * smoothstep(0.15, 0.55, -fluid_here.w), 0.85 * weight * max(fluid_here.w, 0.0), 0.0);
+  water_traits = vec4(weight, weight * smoothstep(0.15, 0.55, -fluid_here.w), 0.75 * weight * max(fluid_here.w, 0.0), 0.0);
   scene_inverse = max(solid, water);
   gl_FragDepth = water > solid ? 0.0 : 1.0;
   vec3 colour;

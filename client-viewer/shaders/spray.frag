@@ -3,6 +3,7 @@ flat in float strength;
 flat in float inverse_depth;
 flat in vec3 grain;
 flat in float lod;
+flat in float softness;
 layout(binding = 0) uniform sampler2D scene_inverse;
 layout(binding = 7) uniform sampler2D foam_pattern;
 layout(location = 0) out vec4 picture;
@@ -11,8 +12,8 @@ void main() {
   if (r > 1.0) discard;
   float behind = texelFetch(scene_inverse, ivec2(gl_FragCoord.xy), 0).r;
   float gap = behind > 0.0 ? 1.0 / behind - 1.0 / inverse_depth : 1e3;
-  float soft = clamp(0.5 + gap / fluid.y, 0.0, 1.0);
-  float pattern = textureLod(foam_pattern, 0.09 * corner + grain.xy, lod).r;
+  float soft = clamp(0.5 + gap / softness, 0.0, 1.0);
+  float pattern = 1.0 - textureLod(foam_pattern, 0.16 * corner + grain.xy, lod).r;  // the holes between strands are round
   float inside = 1.0 - r;
   float mist = 0.13 * inside * inside * (0.4 + 0.8 * pattern);
   // Where the pattern is high there are drops, fewer towards the edge of the cluster.
