@@ -94,6 +94,7 @@ void Server::open_links() {
   settings.bodies_in_ned = options_.bodies_in_ned;
   publisher_ = std::make_unique<FramePublisher>(participant_, std::nullopt, settings, dds.log);
   publisher_->submit_status(status_);  // viewers see that a server starts
+  clock_link_ = std::make_unique<ClockLink>(participant_, publisher_->source(), monotonic_ns, dds.log);
   announcer_ = std::make_unique<Announcer>(*control_, *publisher_);
 }
 

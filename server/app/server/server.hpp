@@ -16,6 +16,7 @@
 #include "simulation_loop.hpp"
 #include "status_board.hpp"
 #include "surface_desk.hpp"
+#include "transport/clock_link.hpp"
 #include "transport/frame_publisher.hpp"
 #include "transport/surface_link.hpp"
 #include "values/scene.hpp"
@@ -99,6 +100,7 @@ class Server {
   std::unique_ptr<ControlServer> control_;
   std::shared_ptr<DdsParticipant> participant_;
   std::unique_ptr<FramePublisher> publisher_;
+  std::unique_ptr<ClockLink> clock_link_;
   std::unique_ptr<SurfaceLink> surface_link_;
   std::unique_ptr<World> world_;
   std::unique_ptr<Announcer> announcer_;

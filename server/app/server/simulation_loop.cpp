@@ -28,6 +28,8 @@ void warn_of_endless_pulse(const WindSettings& wind) {
                   wind.pulse->width, wind.pulse->period));
 }
 
+ClockStamp stamp_now() { return {monotonic_ns(), wall_ns()}; }
+
 std::uint64_t second_of(std::int64_t ns) { return static_cast<std::uint64_t>(ns / 1'000'000'000); }
 
 }  // namespace
@@ -106,6 +108,7 @@ void SimulationLoop::take_inputs() {
       const RunClock::Outcome clock = clock_.apply(outcomes[k].done);
       outcomes[k].refusal = clock.refusal;
       changed = clock.changed;
+      tell_schedule(clock_.paused() ? schedule_.pause() : schedule_.resume(stamp_now()));
     }
     done[k] = changed && !outcomes[k].refusal;
     answer(k, outcomes[k], changed);
@@ -231,12 +234,18 @@ void SimulationLoop::publish_first_frame() {
 
 void SimulationLoop::submit_frame(std::unique_ptr<Snapshot> snapshot) {
   ++frames_filled_;
-  snapshot->wall_time_ns = wall_ns();
+  const ClockStamp now = stamp_now();
+  snapshot->wall_time_ns = now.utc_ns;
+  tell_schedule(schedule_.add_frame(now, snapshot->simulation_time));
   status_.published_particles = static_cast<std::uint32_t>(snapshot->particles.size());
   if (snapshot->oil) status_.oil = snapshot->oil->budget;
   snapshot->status = status_;
   watches_.look(parts_.world, *snapshot, parts_.announcer);
   parts_.publisher.submit(std::move(snapshot));
+}
+
+void SimulationLoop::tell_schedule(const std::optional<SchedulePiece>& piece) {
+  if (piece) parts_.publisher.publish_schedule(*piece);
 }
 
 void SimulationLoop::refresh_status() {

@@ -10,6 +10,7 @@
 #include "input_gate.hpp"
 #include "recorder.hpp"
 #include "run_clock.hpp"
+#include "schedule/schedule_fit.hpp"
 #include "simulation/world.hpp"
 #include "status_board.hpp"
 #include "status_window.hpp"
@@ -66,6 +67,7 @@ class SimulationLoop {
   void publish_frame(StepReport& report);
   void publish_first_frame();
   void submit_frame(std::unique_ptr<Snapshot> snapshot);
+  void tell_schedule(const std::optional<SchedulePiece>& piece);
   void check_replay();
   void report_fault(const WorldStep& step);
   void govern(double frame_seconds);
@@ -77,6 +79,7 @@ class SimulationLoop {
   LoopParts parts_;
   LoopOptions options_;
   RunClock clock_;
+  ScheduleFit schedule_;
   InputGate::Batch batch_;
   Watches watches_;
   StatusWindow window_;

@@ -67,6 +67,7 @@ class FramePublisher::Implementation {
         scene_writer_(*participant_, topics::scene_info()),
         sea_writer_(*participant_, topics::sea()),
         shape_writer_(*participant_, topics::body_shape()),
+        schedule_writer_(*participant_, topics::schedule()),
         frame_writer_(*participant_, topics::ocean_frame()),
         status_writer_(*participant_, topics::status()),
         wind_writer_(*participant_, topics::wind()),
@@ -149,6 +150,11 @@ class FramePublisher::Implementation {
     waiting_sea_ = sea;
   }
 
+  void publish_schedule(const SchedulePiece& piece) {
+    const std::lock_guard lock(mutex_);
+    waiting_schedule_ = piece;
+  }
+
   std::uint64_t source() const { return source_; }
   std::uint32_t viewers() const { return frame_writer_.matched_readers(); }
 
@@ -172,6 +178,7 @@ class FramePublisher::Implementation {
     std::optional<ServerStatus> status;
     std::deque<Event> events;
     std::optional<WaveField> sea;
+    std::optional<SchedulePiece> schedule;
     double particle_spacing = 0.0;
   };
 
@@ -198,9 +205,10 @@ class FramePublisher::Implementation {
         work.status = std::exchange(waiting_status_, std::nullopt);
         work.events = std::exchange(events_, {});
         work.sea = std::exchange(waiting_sea_, std::nullopt);
+        work.schedule = std::exchange(waiting_schedule_, std::nullopt);
         work.particle_spacing = particle_spacing_;
       }
-      if (work.snapshot || work.status || work.sea || !work.events.empty()) return true;
+      if (work.snapshot || work.status || work.sea || work.schedule || !work.events.empty()) return true;
       if (Clock::now() - last_sign_ >= kRepeat) return true;  // with nothing new
       if (last_round) return false;
       std::this_thread::sleep_for(kPoll);
@@ -214,6 +222,7 @@ class FramePublisher::Implementation {
       count_write(event_writer_.write(&sample), "event");
     }
     if (work.sea) publish_now(*work.sea);
+    if (work.schedule) publish_now(*work.schedule);
     if (work.snapshot) publish_frame(*work.snapshot, work.particle_spacing);
     if (work.snapshot) publish_loads(*work.snapshot);
     if (work.snapshot) publish_probes(*work.snapshot);
@@ -228,6 +237,11 @@ class FramePublisher::Implementation {
   void publish_now(const WaveField& sea) {
     const wire::SeaSample sample(sea, source_);
     count_write(sea_writer_.write(&sample.get()), "sea");
+  }
+
+  void publish_now(const SchedulePiece& piece) {
+    const pelagos_ScheduleV1 sample = wire::to_wire(piece, source_);
+    count_write(schedule_writer_.write(&sample), "schedule");
   }
 
   /// Once an interval, and at once when the sea stops or goes on.
@@ -354,6 +368,7 @@ class FramePublisher::Implementation {
   DdsWriter scene_writer_;
   DdsWriter sea_writer_;
   DdsWriter shape_writer_;
+  DdsWriter schedule_writer_;
   DdsWriter frame_writer_;
   DdsWriter status_writer_;
   DdsWriter wind_writer_;
@@ -381,6 +396,7 @@ class FramePublisher::Implementation {
   std::optional<ServerStatus> waiting_status_;
   std::deque<Event> events_;
   std::optional<WaveField> waiting_sea_;
+  std::optional<SchedulePiece> waiting_schedule_;
   double particle_spacing_ = 0.0;
   PublisherCounters counters_;
   double pack_ms_ = 0.0;  // sums of what counters() gives the mean of
@@ -400,6 +416,7 @@ void FramePublisher::submit_status(const ServerStatus& status) { implementation_
 void FramePublisher::publish_event(const Event& event) { implementation_->publish_event(event); }
 void FramePublisher::publish_scene_info(const SceneInfo& info) { implementation_->publish_scene_info(info); }
 void FramePublisher::publish_sea(const WaveField& sea) { implementation_->publish_sea(sea); }
+void FramePublisher::publish_schedule(const SchedulePiece& piece) { implementation_->publish_schedule(piece); }
 std::uint64_t FramePublisher::source() const { return implementation_->source(); }
 PublisherCounters FramePublisher::counters() const { return implementation_->counters(); }
 std::uint32_t FramePublisher::viewers() const { return implementation_->viewers(); }

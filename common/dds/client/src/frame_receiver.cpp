@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <deque>
 #include <map>
 #include <mutex>
+#include <random>
 #include <span>
 #include <utility>
 
 #include "client/frame_count.hpp"
 #include "client/listening_time.hpp"
 #include "client/source_watch.hpp"
+#include "clock_exchange.hpp"
 #include "packing/particle_codec.hpp"
 #include "pelagos_dds/entities.hpp"
 #include "pelagos_dds/log_sink.hpp"
@@ -30,16 +33,30 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kPollInterval = std::chrono::milliseconds(250);
 constexpr std::size_t kMostEvents = 256;
 constexpr std::size_t kMostSpareFrames = 4;
+constexpr std::size_t kMostWaitingFrames = 16, kMostWaitingParticles = wire::kMostParticles;
+constexpr std::size_t kMostSlicks = 16, kMostWaitingDiscs = 4 * wire::kMostSlickElements;
 constexpr std::size_t kMostTriangles = 1'000'000;  // of all bodies
+
+std::uint64_t draw_viewer() {
+  std::random_device device;
+  const std::uint64_t high = device();
+  return high << 32 | device();
+}
 
 }  // namespace
 
 class FrameReceiver::Implementation {
  public:
-  explicit Implementation(const DdsSettings& settings)
-      : log_(settings.log),
+  Implementation(const DdsSettings& settings, const LocalClocks& clocks)
+      : clocks_(clocks),
+        clock_(clocks.trust_host),
+        log_(settings.log),
         refusals_(settings.log),
         participant_(settings),
+        viewer_(draw_viewer()),
+        exchange_(participant_, viewer_),
+        answers_(participant_, topics::clock_answer()),
+        schedules_(std::make_unique<DdsReader>(participant_, topics::schedule())),
         frames_(participant_, topics::ocean_frame()),
         scenes_(participant_, topics::scene_info()),
         seas_(std::make_unique<DdsReader>(participant_, topics::sea())),
@@ -50,8 +67,8 @@ class FrameReceiver::Implementation {
         event_reader_(participant_, topics::event()),
         thread_(participant_, "samples", log_, {kPollInterval, {}}) {
     if (const auto warning = check_receive_buffer()) log_.write(*warning);
-    for (const DdsReader* reader :
-         {&frames_, &scenes_, seas_.get(), shapes_.get(), &statuses_, &winds_, &slicks_, &event_reader_})
+    for (const DdsReader* reader : {&answers_, schedules_.get(), &frames_, &scenes_, seas_.get(), shapes_.get(),
+                                    &statuses_, &winds_, &slicks_, &event_reader_})
       thread_.attach(*reader);
     thread_.start([this] {
       last_looked_ = listening_.look(Clock::now()).time_since_epoch().count();
@@ -61,7 +78,51 @@ class FrameReceiver::Implementation {
 
   std::unique_ptr<OceanFrame> take_newest() {
     const std::lock_guard lock(mutex_);
-    return std::move(newest_);
+    while (waiting_.size() > 1) drop_oldest();
+    return take_oldest();
+  }
+
+  std::unique_ptr<OceanFrame> take_next() {
+    const std::lock_guard lock(mutex_);
+    return take_oldest();
+  }
+
+  std::shared_ptr<const OceanSlick> newest_slick() const {
+    const std::lock_guard lock(mutex_);
+    return slick_.empty() ? nullptr : slick_.back();
+  }
+
+  std::shared_ptr<const OceanSlick> slick_at(double time) const {
+    const std::lock_guard lock(mutex_);
+    const auto distance = [time](const auto& slick) { return std::abs(slick->simulation_time - time); };
+    // The latest of those that are equally near.
+    const auto nearest = std::min_element(slick_.rbegin(), slick_.rend(),
+                                          [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    return nearest == slick_.rend() ? nullptr : *nearest;
+  }
+
+  std::optional<DueInstant> due_at(std::int64_t steady_ns) const {
+    const ClockStamp now = clocks_.now();
+    const std::lock_guard lock(mutex_);
+    return clock_.at(steady_ns, now);
+  }
+
+  ClockState clock_state() const {
+    const ClockStamp now = clocks_.now();
+    const std::lock_guard lock(mutex_);
+    return clock_.state(now);
+  }
+
+  void tell(ViewerStatus status) {
+    const ClockState clock = clock_state();
+    status.viewer = viewer_;
+    status.clock = clock.clock;
+    status.clock_offset = 1e-9 * static_cast<double>(clock.offset_ns);
+    status.clock_error = clock.error;
+    status.source = read(&Implementation::source_);
+    if (!teller_) teller_.emplace(participant_, topics::viewer_status());
+    const pelagos_ViewerStatusV1 sample = wire::to_wire(status);
+    if (!teller_->write(&sample)) log_.write("cannot publish viewer_status");
   }
 
   void recycle(std::unique_ptr<OceanFrame> frame) {
@@ -72,7 +133,7 @@ class FrameReceiver::Implementation {
 
   bool wait_for_frame(std::chrono::milliseconds timeout) const {
     std::unique_lock lock(mutex_);
-    return arrived_.wait_for(lock, timeout, [this] { return newest_ != nullptr; });
+    return arrived_.wait_for(lock, timeout, [this] { return !waiting_.empty(); });
   }
 
   /// The scene, with the sea's blends and the surfaces that have come so far.
@@ -108,15 +169,34 @@ class FrameReceiver::Implementation {
   std::uint64_t scene_revision_ = 0;
   std::optional<ServerStatus> status_;
   std::optional<WindSettings> wind_;
-  std::shared_ptr<const OceanSlick> slick_;
   ReceiverCounters counters_;
 
  private:
+  /// The mutex is held, and there is a frame.
+  void drop_oldest() {
+    ++counters_.replaced;
+    waiting_particles_ -= waiting_.front()->particles.size();
+    if (spare_.size() < kMostSpareFrames) spare_.push_back(std::move(waiting_.front()));
+    waiting_.pop_front();
+  }
+
+  /// Likewise, but there may be none.
+  std::unique_ptr<OceanFrame> take_oldest() {
+    if (waiting_.empty()) return nullptr;
+    std::unique_ptr<OceanFrame> frame = std::move(waiting_.front());
+    waiting_.pop_front();
+    waiting_particles_ -= frame->particles.size();
+    return frame;
+  }
+
   void take_samples() {
+    take_clock();
     // The status first: with a frame of a paused sea comes that it is paused.
     take<pelagos_StatusV2>(statuses_, "status", &ReceiverCounters::others_refused, [this](const auto& sample) {
       ServerStatus status = wire::from_wire(sample);
+      const ClockStamp now = clocks_.now();
       const std::lock_guard lock(mutex_);
+      clock_.set_paused(status.paused, now);
       status_ = std::move(status);
     });
     take<pelagos_SceneInfoV1>(
@@ -145,11 +225,29 @@ class FrameReceiver::Implementation {
       if (events_.size() > kMostEvents) events_.pop_front();
     });
     if (std::exchange(ask_again_, false)) {  // a new reader gets what was written once
+      schedules_ = std::make_unique<DdsReader>(participant_, topics::schedule());
+      thread_.attach(*schedules_);
       shapes_ = std::make_unique<DdsReader>(participant_, topics::body_shape());
       thread_.attach(*shapes_);
       seas_ = std::make_unique<DdsReader>(participant_, topics::sea());
       thread_.attach(*seas_);
     }
+  }
+
+  /// Answers first: the time that they wait counts as a longer way. The schedule before the frames that it holds for.
+  void take_clock() {
+    take<pelagos_ClockAnswerV1>(answers_, "clock_answer", &ReceiverCounters::others_refused,
+                                [this](const auto& sample) {
+                                  const auto stamps = exchange_.match(sample, clocks_.now().clock_ns);
+                                  if (!stamps) return;
+                                  const std::lock_guard lock(mutex_);
+                                  if (!clock_.take(*stamps)) ++counters_.others_refused;
+                                });
+    take<pelagos_ScheduleV1>(*schedules_, "schedule", &ReceiverCounters::others_refused, [this](const auto& sample) {
+      const std::lock_guard lock(mutex_);
+      clock_.take(wire::from_wire(sample));
+    });
+    exchange_.ask_if_due([this] { return clocks_.now().clock_ns; });
   }
 
   /// Takes what waits in a reader: `accept` gets the samples of the server that is followed, `other` those of others.
@@ -197,6 +295,7 @@ class FrameReceiver::Implementation {
   /// What was known is of another server.
   void go_over_to(const SourceWatch::Sender& sender) {
     count_.restart();
+    exchange_.restart();
     ask_again_ = std::exchange(follows_, true);  // shapes and sea of the new server were passed over so far
     const std::lock_guard lock(mutex_);
     scene_.reset();
@@ -204,7 +303,9 @@ class FrameReceiver::Implementation {
     surfaces_.clear();
     status_.reset();
     wind_.reset();
-    slick_.reset();
+    slick_.clear();
+    clock_.restart();
+    source_ = sender.source;
     // What the new server has said once, while the old one was followed.
     if (const auto other = std::find_if(other_scenes_.begin(), other_scenes_.end(),
                                         [&](const auto& entry) { return entry.first == sender; });
@@ -261,16 +362,20 @@ class FrameReceiver::Implementation {
     if (order == FrameOrder::kJump)
       refusals_.tell_once("jump", "the frame numbers of the server jumped to " + std::to_string(sample.frame) +
                                       ": jumps are counted by themselves, not as frames missed");
+    const ClockStamp now = clocks_.now();
     std::unique_ptr<OceanFrame> frame = decode(sample);
+    frame->received_ns = now.clock_ns;
     const std::lock_guard lock(mutex_);
+    frame->completed_ns = clock_.completed(frame->wall_time_ns);
+    if (!by_server(clock_.state(now).clock)) clock_.frame_arrived(now, frame->simulation_time);
     counters_.missed = count_.missed();
     counters_.jumps = count_.jumps();
     ++counters_.received;
-    if (newest_) {
-      ++counters_.replaced;
-      if (spare_.size() < kMostSpareFrames) spare_.push_back(std::move(newest_));
-    }
-    newest_ = std::move(frame);
+    while (!waiting_.empty() && (waiting_.size() >= kMostWaitingFrames ||
+                                 waiting_particles_ + frame->particles.size() > kMostWaitingParticles))
+      drop_oldest();
+    waiting_particles_ += frame->particles.size();
+    waiting_.push_back(std::move(frame));
     arrived_.notify_all();
   }
 
@@ -283,7 +388,13 @@ class FrameReceiver::Implementation {
     for (std::uint32_t i = 0; i < sample.elements._length; ++i)
       slick->discs.push_back(wire::from_wire(sample.elements._buffer[i]));
     const std::lock_guard lock(mutex_);
-    slick_ = std::move(slick);
+    slick_.push_back(std::move(slick));
+    std::size_t discs = 0;
+    for (const auto& one : slick_) discs += one->discs.size();
+    while (slick_.size() > kMostSlicks || (slick_.size() > 1 && discs > kMostWaitingDiscs)) {
+      discs -= slick_.front()->discs.size();
+      slick_.pop_front();
+    }
     ++counters_.slicks;
   }
 
@@ -321,9 +432,16 @@ class FrameReceiver::Implementation {
     return std::make_unique<OceanFrame>();
   }
 
+  LocalClocks clocks_;
+  ShowClock clock_;  ///< guarded by the mutex
   RateLimitedLog log_;
   RefusalLog refusals_;
   DdsParticipant participant_;
+  const std::uint64_t viewer_;
+  ClockExchange exchange_;  ///< of the dispatcher thread
+  DdsReader answers_;
+  std::unique_ptr<DdsReader> schedules_;
+  std::optional<DdsWriter> teller_;  ///< of the thread that tells
   DdsReader frames_;
   DdsReader scenes_;
   std::unique_ptr<DdsReader> seas_;
@@ -347,18 +465,22 @@ class FrameReceiver::Implementation {
   std::optional<SceneInfo> scene_;
   std::optional<WaveField> sea_;
   std::map<std::uint32_t, std::shared_ptr<const BodySurface>> surfaces_;  // by body
-  std::unique_ptr<OceanFrame> newest_;
+  std::deque<std::unique_ptr<OceanFrame>> waiting_;                       // the oldest first
+  std::size_t waiting_particles_ = 0;
+  std::deque<std::shared_ptr<const OceanSlick>> slick_;  // likewise
+  std::uint64_t source_ = 0;
   std::vector<std::unique_ptr<OceanFrame>> spare_;
   std::deque<Event> events_;
 
   ReceiverThread thread_;
 };
 
-FrameReceiver::FrameReceiver(const DdsSettings& settings)
-    : implementation_(std::make_unique<Implementation>(settings)) {}
+FrameReceiver::FrameReceiver(const DdsSettings& settings, const LocalClocks& clocks)
+    : implementation_(std::make_unique<Implementation>(settings, clocks)) {}
 FrameReceiver::~FrameReceiver() = default;
 
 std::unique_ptr<OceanFrame> FrameReceiver::take_newest() { return implementation_->take_newest(); }
+std::unique_ptr<OceanFrame> FrameReceiver::take_next() { return implementation_->take_next(); }
 void FrameReceiver::recycle(std::unique_ptr<OceanFrame> frame) { implementation_->recycle(std::move(frame)); }
 bool FrameReceiver::wait_for_frame(std::chrono::milliseconds timeout) const {
   return implementation_->wait_for_frame(timeout);
@@ -367,9 +489,13 @@ std::optional<SceneInfo> FrameReceiver::scene_info() const { return implementati
 std::uint64_t FrameReceiver::scene_revision() const { return implementation_->read(&Implementation::scene_revision_); }
 std::optional<ServerStatus> FrameReceiver::status() const { return implementation_->read(&Implementation::status_); }
 std::optional<WindSettings> FrameReceiver::wind() const { return implementation_->read(&Implementation::wind_); }
-std::shared_ptr<const OceanSlick> FrameReceiver::slick() const {
-  return implementation_->read(&Implementation::slick_);
+std::shared_ptr<const OceanSlick> FrameReceiver::slick() const { return implementation_->newest_slick(); }
+std::shared_ptr<const OceanSlick> FrameReceiver::slick_at(double time) const { return implementation_->slick_at(time); }
+std::optional<DueInstant> FrameReceiver::due_at(std::int64_t steady_ns) const {
+  return implementation_->due_at(steady_ns);
 }
+ClockState FrameReceiver::clock_state() const { return implementation_->clock_state(); }
+void FrameReceiver::tell(ViewerStatus status) { implementation_->tell(std::move(status)); }
 std::vector<Event> FrameReceiver::take_events() { return implementation_->take_events(); }
 bool FrameReceiver::server_alive() const { return implementation_->alive(); }
 ReceiverCounters FrameReceiver::counters() const { return implementation_->read(&Implementation::counters_); }

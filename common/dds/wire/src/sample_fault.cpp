@@ -49,6 +49,12 @@ class Checks {
     for (const double part : {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)})
       within(field, part, -limit, limit);
   }
+  /// ns of a clock: a difference of two such numbers fits into 64 bits.
+  void stamp(const char* field, std::int64_t value) {
+    constexpr std::int64_t kMost = 4'000'000'000'000'000'000;
+    if (!fault_ && (value > kMost || value < -kMost))
+      refuse(field, "is " + std::to_string(value) + "; allowed: -4e18 to 4e18");
+  }
   void name(const char* field, const char* text, std::size_t most) {
     if (fault_ || text == nullptr) return;
     if (strnlen(text, most + 1) <= most) return;
@@ -134,6 +140,36 @@ std::optional<Refusal> find_fault(const pelagos_OceanFrameV1& frame) {
       are_plausible(scales_of(frame)), "box_size",
       "or box_min, largest_speed or particle_spacing is out of range; allowed: finite, not negative, up to 1e6");
   check_bodies(checks, frame.bodies);
+  return std::move(checks).result();
+}
+
+std::optional<Refusal> find_fault(const pelagos_ScheduleV1& schedule) {
+  Checks checks;
+  checks.stamp("clock_ns", schedule.clock_ns);
+  checks.stamp("utc_ns", schedule.utc_ns);
+  checks.within("time", schedule.time, -kLongestTime, kLongestTime);
+  checks.within("rate", schedule.rate, 0.0, 1e6);
+  checks.within("limit", schedule.limit, -kLongestTime, kLongestTime);
+  return std::move(checks).result();
+}
+
+std::optional<Refusal> find_fault(const pelagos_ClockAnswerV1& answer) {
+  Checks checks;
+  checks.stamp("asked_ns", answer.asked_ns);
+  checks.stamp("received_ns", answer.received_ns);
+  checks.stamp("answered_ns", answer.answered_ns);
+  return std::move(checks).result();
+}
+
+std::optional<Refusal> find_fault(const pelagos_ViewerStatusV1& status) {
+  Checks checks;
+  checks.within("simulation_time", status.simulation_time, -kLongestTime, kLongestTime);
+  checks.within("delay", status.delay, 0.0, kLongestTime);
+  checks.within("skew_median", status.skew_median, 0.0, 2.0 * kLongestTime);
+  checks.within("skew_99", status.skew_99, 0.0, 2.0 * kLongestTime);
+  checks.that(status.clock <= pelagos_CLOCK_HOST, "clock", "is none of the four values of ViewerClock");
+  checks.within("clock_offset", status.clock_offset, -1e10, 1e10);
+  checks.within("clock_error", status.clock_error, -1.0, 1e3);
   return std::move(checks).result();
 }
 

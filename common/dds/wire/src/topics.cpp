@@ -34,6 +34,13 @@ TopicSpec ocean_frame() {
   return {"ocean_frame_v1", &pelagos_OceanFrameV1_desc, writer, reader_qos()};
 }
 
+// A reader keeps what comes while it decodes a frame.
+TopicSpec schedule() {
+  TopicQos reader = for_late(reader_qos());
+  reader.depth = 16;
+  return {"schedule_v1", &pelagos_ScheduleV1_desc, for_late({}), reader};
+}
+
 // The lease of 1 s is the server's sign of life; readers ask for none, so that any lease matches.
 TopicSpec scene_info() {
   TopicQos writer = for_late({});
@@ -105,6 +112,29 @@ TopicSpec surface_answer() {
   writer.depth = 4;
   reader.most_instances = 256;  // a reader hears the answers to other clients too
   return {"surface_answer_v1", &pelagos_SurfaceAnswerV1_desc, writer, reader};
+}
+
+// As queries of the surface: a request that is lost is made again.
+TopicSpec clock_request() {
+  TopicQos writer, reader;
+  writer.depth = 4;
+  reader.reliable = false;
+  reader.depth = 4;
+  reader.most_instances = 256;
+  return {"clock_request_v1", &pelagos_ClockRequestV1_desc, writer, reader};
+}
+
+TopicSpec clock_answer() {
+  TopicQos writer, reader = reader_qos();
+  writer.depth = 4;
+  reader.most_instances = 256;  // a reader hears the answers to other viewers too
+  return {"clock_answer_v1", &pelagos_ClockAnswerV1_desc, writer, reader};
+}
+
+TopicSpec viewer_status() {
+  TopicQos reader = reader_qos();
+  reader.most_instances = 256;
+  return {"viewer_status_v1", &pelagos_ViewerStatusV1_desc, TopicQos{}, reader};
 }
 
 // Events come in bursts and each one counts.

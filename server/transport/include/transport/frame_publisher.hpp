@@ -7,6 +7,7 @@
 #include <string>
 
 #include "pelagos_dds/participant.hpp"
+#include "schedule/schedule.hpp"
 #include "values/command.hpp"
 #include "values/scene_info.hpp"
 #include "values/snapshot.hpp"
@@ -70,6 +71,9 @@ class FramePublisher {
 
   /// Queued; goes out before the next frame. Only the newest counts. For viewers that come at any time.
   void publish_sea(const WaveField& sea);
+
+  /// Queued; goes out before the next frame. Only the newest counts. For viewers that come at any time.
+  void publish_schedule(const SchedulePiece& piece);
 
   [[nodiscard]] std::uint64_t source() const;
   [[nodiscard]] PublisherCounters counters() const;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "client/show_clock.hpp"
 #include "packing/surface_particle.hpp"
 #include "pelagos_dds/configuration.hpp"
 #include "values/body.hpp"
@@ -26,6 +27,8 @@ struct OceanFrame {
   double simulation_time = 0.0;                      ///< s
   std::int64_t wall_time_ns = 0;                     ///< system clock of the server, when the frame was completed
   std::chrono::steady_clock::time_point received{};  ///< here
+  std::int64_t received_ns = 0;                      ///< by LocalClocks::steady_ns
+  std::optional<std::int64_t> completed_ns;          ///< by the steady clock of the server, where it is known
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< m, world; particles and box are relative to it
   Box box;                                           ///< m, tight around the particles, relative to `origin`
   double largest_speed = 0.0;                        ///< m/s, of the particles
@@ -48,7 +51,7 @@ struct ReceiverCounters {
   std::uint64_t missed = 0;          ///< gaps in the frame numbers
   std::uint64_t jumps = 0;           ///< numbers that went back, or on by more than 100,000: not counted as missed
   std::uint64_t repeated = 0;        ///< the last frame again, as while the sea is paused
-  std::uint64_t replaced = 0;        ///< received, but a newer one came before take_newest()
+  std::uint64_t replaced = 0;        ///< received, but newer ones came before it was taken
   std::uint64_t refused = 0;         ///< wrong payload size, numbers not finite or out of range
   std::uint64_t foreign = 0;         ///< from a second server while the first one lives
   std::uint64_t intruding = 0;       ///< samples with the followed server's source that another process sends
@@ -62,14 +65,16 @@ struct ReceiverCounters {
 class FrameReceiver {
  public:
   /// Joins the domain. Throws DdsError.
-  explicit FrameReceiver(const DdsSettings& settings);
+  explicit FrameReceiver(const DdsSettings& settings, const LocalClocks& clocks = {});
   ~FrameReceiver();
   FrameReceiver(const FrameReceiver&) = delete;
   FrameReceiver& operator=(const FrameReceiver&) = delete;
 
-  /// The newest frame not yet taken; null if there is none. The caller owns it; keep as many as needed (two to
-  /// interpolate) and give them back for reuse.
+  /// The newest frame not yet taken; null if there is none. Older ones are gone. The caller owns it; keep as many as
+  /// needed and give them back for reuse.
   [[nodiscard]] std::unique_ptr<OceanFrame> take_newest();
+  /// The oldest frame not yet taken; null if there is none. At most 16 wait, of 4,000,000 particles together.
+  [[nodiscard]] std::unique_ptr<OceanFrame> take_next();
   /// Gives a frame's memory back. Null is allowed.
   void recycle(std::unique_ptr<OceanFrame> frame);
   /// Waits until take_newest() has something. False after `timeout`.
@@ -85,6 +90,14 @@ class FrameReceiver {
   [[nodiscard]] std::optional<WindSettings> wind() const;
   /// The newest slick of the server that is followed; null where none has come, as in scenes without oil.
   [[nodiscard]] std::shared_ptr<const OceanSlick> slick() const;
+  /// Of the last 16 the one nearest to a simulated time, s.
+  [[nodiscard]] std::shared_ptr<const OceanSlick> slick_at(double time) const;
+
+  /// The moment `steady_ns` of the clock here: which simulated time is due. Nothing before the first frame.
+  [[nodiscard]] std::optional<DueInstant> due_at(std::int64_t steady_ns) const;
+  [[nodiscard]] ClockState clock_state() const;
+  /// Writes it to `viewer_status_v1`; `viewer`, `source`, and what is of the clock are filled in here.
+  void tell(ViewerStatus status);
   /// Events since the last call, oldest first; at most 256 are kept. Their texts are printable (text/printable.hpp).
   [[nodiscard]] std::vector<Event> take_events();
 

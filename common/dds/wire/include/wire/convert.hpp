@@ -7,6 +7,7 @@
 
 #include "packing/particle_codec.hpp"
 #include "pelagos.h"
+#include "schedule/schedule.hpp"
 #include "values/body.hpp"
 #include "values/body_load.hpp"
 #include "values/command.hpp"
@@ -15,6 +16,7 @@
 #include "values/snapshot.hpp"
 #include "values/status.hpp"
 #include "values/surface_query.hpp"
+#include "values/viewer_status.hpp"
 #include "values/wind.hpp"
 #include "wire/sample_fault.hpp"
 
@@ -84,6 +86,13 @@ class SurfaceAnswerSample {
 /// Does not validate: see PoseReceiver. An angular rate or velocity that is not finite stays so.
 [[nodiscard]] BodyPose from_wire(const pelagos_PoseV1& pose);
 [[nodiscard]] GeodeticPose from_wire(const pelagos_GeodeticPoseV1& pose);
+
+[[nodiscard]] pelagos_ScheduleV1 to_wire(const SchedulePiece& piece, std::uint64_t source);
+/// Does not validate: see find_fault.
+[[nodiscard]] SchedulePiece from_wire(const pelagos_ScheduleV1& schedule);
+[[nodiscard]] pelagos_ViewerStatusV1 to_wire(const ViewerStatus& status);
+/// Does not validate: see find_fault.
+[[nodiscard]] ViewerStatus from_wire(const pelagos_ViewerStatusV1& status);
 
 [[nodiscard]] pelagos_WindSettingsV1 to_wire(const std::optional<WindSettings>& wind);
 [[nodiscard]] WindSettings from_wire(const pelagos_WindSettingsV1& wind);

@@ -24,6 +24,9 @@ inline constexpr std::size_t kLongestMeshFile = 260;  ///< bytes: "y-up:" and th
 /// Why a sample is refused: the first fault in it, e.g. {"bodies[3].mesh_scale", "is -1; allowed: above 0 and at most
 /// 1e6"}. Nothing if a viewer can compute with everything in the sample, and the payload holds `count` whole records.
 [[nodiscard]] std::optional<Refusal> find_fault(const pelagos_OceanFrameV1& frame);
+[[nodiscard]] std::optional<Refusal> find_fault(const pelagos_ScheduleV1& schedule);
+[[nodiscard]] std::optional<Refusal> find_fault(const pelagos_ClockAnswerV1& answer);
+[[nodiscard]] std::optional<Refusal> find_fault(const pelagos_ViewerStatusV1& status);
 [[nodiscard]] std::optional<Refusal> find_fault(const pelagos_SceneInfoV1& info);
 [[nodiscard]] std::optional<Refusal> find_fault(const pelagos_SeaV1& sea);
 [[nodiscard]] std::optional<Refusal> find_fault(const pelagos_BodyShapeV1& shape);

@@ -7,6 +7,7 @@
 namespace pelagos::topics {
 
 [[nodiscard]] TopicSpec ocean_frame();
+[[nodiscard]] TopicSpec schedule();
 [[nodiscard]] TopicSpec scene_info();
 [[nodiscard]] TopicSpec sea();
 [[nodiscard]] TopicSpec body_shape();
@@ -20,6 +21,9 @@ namespace pelagos::topics {
 [[nodiscard]] TopicSpec probe_request();
 [[nodiscard]] TopicSpec surface_query();
 [[nodiscard]] TopicSpec surface_answer();
+[[nodiscard]] TopicSpec clock_request();
+[[nodiscard]] TopicSpec clock_answer();
+[[nodiscard]] TopicSpec viewer_status();
 [[nodiscard]] TopicSpec event();
 [[nodiscard]] TopicSpec own_ship_pose();
 [[nodiscard]] TopicSpec body_pose();
