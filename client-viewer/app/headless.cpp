@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "app/clock_notes.hpp"
 #include "app/presentation.hpp"
 #include "app/report.hpp"
 #include "app/run.hpp"
@@ -13,9 +14,12 @@ namespace pelagos {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kFastest = 1.0 / 60.0;  // s between frames
 constexpr double kStatusWait = 2.0;      // s
+constexpr double kClockWait = 2.0;       // s
 constexpr double kMeshWait = 20.0;       // s
+constexpr double kSpareForecast = 2e-3;  // s, for the end of a wait
+// s, ahead of what is known: a forecast beyond delay and this would ask for instants after the schedule's limit.
+constexpr double kLongestAhead = 0.1;
 
 double seconds_between(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
@@ -36,7 +40,8 @@ class HeadlessRun {
         source_(source),
         view_(source, channel,
               {options.width, options.height, channel.guard_px, options.quality, true, options.weather},
-              options.assets / "meshes") {
+              options.assets / "meshes", options.delay),
+        clock_notes_(source) {
     report_.channel = channel.name;
     report_.renderer = renderer_name();
     report_.width = options.width;
@@ -49,9 +54,11 @@ class HeadlessRun {
   bool wait_for_server(const std::atomic<bool>& stop);
   bool wait_for_meshes(const std::atomic<bool>& stop);
   bool knows_status();
+  bool knows_clock();
   void give_up();
   void watch_pause();
-  void draw_frame(bool fresh);
+  void draw_frame();
+  void show_at(std::int64_t moment_ns);
   void watch_server(Clock::time_point now);
   void save_picture();
   [[nodiscard]] bool done(Clock::time_point start) const;
@@ -61,9 +68,12 @@ class HeadlessRun {
   FrameSource& source_;
   Presentation view_;
   RunReport report_;
+  ClockNotes clock_notes_;
+  SwapForecast forecast_;
+  std::string swaps_ = "shown_ns,simulation_time_s,skew_ms\n";
   Clock::time_point first_drawn_{}, last_drawn_{}, last_saved_{}, lost_{};
   bool was_alive_ = true;
-  std::optional<Clock::time_point> scene_came_;
+  std::optional<Clock::time_point> scene_came_, schedule_came_;
 };
 
 bool HeadlessRun::wait_for_server(const std::atomic<bool>& stop) {
@@ -71,7 +81,7 @@ bool HeadlessRun::wait_for_server(const std::atomic<bool>& stop) {
   std::string told;
   while (!stop) {
     view_.update();
-    if (view_.ready() && knows_status()) return wait_for_meshes(stop);
+    if (view_.ready() && knows_status() && knows_clock()) return wait_for_meshes(stop);
     const double waited = seconds_between(start, Clock::now());
     if (waited > options_.wait) return view_.ready();
     const std::string text = awaited(source_, options_.domain);
@@ -106,14 +116,41 @@ bool HeadlessRun::knows_status() {
   return options_.synthetic || seconds_between(*scene_came_, Clock::now()) > kStatusWait;
 }
 
-void HeadlessRun::draw_frame(bool fresh) {
+/// Where the server sends a schedule, its clock will be known in a moment.
+bool HeadlessRun::knows_clock() {
+  const ClockState state = source_.clock_state();
+  if (!state.scheduled || by_server(state.clock)) return true;
+  if (!schedule_came_) schedule_came_ = Clock::now();
+  return seconds_between(*schedule_came_, Clock::now()) > kClockWait;
+}
+
+/// A picture that is ready too early waits for the moment that it was drawn for, as it would for a screen.
+void HeadlessRun::show_at(std::int64_t moment_ns) {
+  const std::int64_t early = moment_ns - source_.now_ns();
+  if (early > 0) std::this_thread::sleep_for(std::chrono::nanoseconds(early));
+  const std::int64_t shown = source_.now_ns();
+  view_.shown(shown);
+  if (!options_.swaps) return;
+  std::array<char, 96> line{};
+  std::snprintf(line.data(), line.size(), "%lld,%.6f,%.3f\n", static_cast<long long>(shown), view_.time(),
+                1e3 * view_.last_skew());
+  swaps_ += line.data();
+}
+
+void HeadlessRun::draw_frame() {
   const auto start = Clock::now();
-  view_.draw();
+  // The longest of the last pictures: then hardly any is late.
+  const double until_shown = std::min(1.1 * forecast_.seconds(1.0) + kSpareForecast, view_.delay() + kLongestAhead);
+  const std::int64_t moment = source_.now_ns() + static_cast<std::int64_t>(1e9 * until_shown);
+  view_.draw(moment);
   const auto end = Clock::now();
+  forecast_.add(seconds_between(start, end));
+  show_at(moment);
+  clock_notes_.look(view_);
   report_.frame_ms_sum += 1e3 * seconds_between(start, end);
   for (std::size_t i = 0; i < kPassNames.size(); ++i) report_.pass_ms_sum[i] += view_.renderer().pass_times()[i];
   watch_pause();
-  if (fresh && !report_.paused) report_.latency.add(*view_.frame(), Clock::now(), system_time_ns());
+  if (view_.fresh() && !report_.paused) report_.latency.add(*view_.frame(), Clock::now(), system_time_ns());
   if (report_.frames_drawn++ == 0) first_drawn_ = start;
   last_drawn_ = end;
   watch_server(end);
@@ -162,6 +199,12 @@ bool HeadlessRun::done(Clock::time_point start) const {
 void HeadlessRun::finish() {
   report_.scene = view_.scene().scene;
   report_.counters = source_.counters();
+  report_.counters.replaced += view_.frames_never_drawn();
+  report_.delay = view_.delay();
+  report_.skew_ms = view_.skew().all_ms();
+  report_.pictures_held = view_.pictures_held();
+  report_.clock = source_.clock_state();
+  if (options_.swaps) write_file(options_.out / (report_.channel + "_swaps.csv"), swaps_);
   report_.seconds = seconds_between(first_drawn_, last_drawn_);
   write_report(report_, options_.out / (report_.channel + ".json"));
 }
@@ -184,17 +227,19 @@ int HeadlessRun::run(const std::atomic<bool>& stop) {
     finish();
     return stop ? 0 : 1;
   }
+  view_.draw(source_.now_ns());  // not shown: drivers compile for the first picture, which takes seconds in software
+  view_.update();
   const auto start = Clock::now();
-  bool fresh = true, saved = false;
+  bool saved = false;
   while (true) {
     const auto begin = Clock::now();
-    draw_frame(fresh);
+    draw_frame();
     saved = report_.pictures_written == 0 || seconds_between(last_saved_, begin) >= options_.every;
     if (saved) save_picture();
     if (stop || done(start)) break;
-    const double spare = kFastest - seconds_between(begin, Clock::now());
+    const double spare = 1.0 / options_.rate - seconds_between(begin, Clock::now());
     if (spare > 0.0) std::this_thread::sleep_for(std::chrono::duration<double>(spare));
-    fresh = view_.update();
+    view_.update();
   }
   if (!saved) save_picture();
   finish();

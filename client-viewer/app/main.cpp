@@ -29,7 +29,14 @@ int run(const pelagos::Options& options) {
   dds.domain = options.domain;
   dds.config_file = options.dds_config;
   dds.log = [](std::string_view line) { std::fprintf(stderr, "pelagos-viewer: DDS: %s\n", printable(line).c_str()); };
-  const std::unique_ptr<FrameSource> source = options.synthetic ? make_synthetic_source() : make_dds_source(dds);
+  LocalClocks clocks;
+  clocks.trust_host = options.trust_host;
+  if (options.clock_error != 0.0)
+    clocks.steady_ns = [error = static_cast<std::int64_t>(1e9 * options.clock_error)] {
+      return LocalClocks{}.now().clock_ns + error;
+    };
+  const std::unique_ptr<FrameSource> source =
+      options.synthetic ? make_synthetic_source() : make_dds_source(dds, clocks);
   return options.headless ? run_headless(options, *channel, *source, stop_requested)
                           : run_window(options, *channel, *source, stop_requested);
 }

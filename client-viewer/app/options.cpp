@@ -81,6 +81,17 @@ std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
       ->capture_default_str();
   double visibility = options.weather.visibility / kMetresPerMile;
   app.add_option("--visibility", visibility, "nautical miles (default: 12.4)")->check(NumberFrom(0.02, 50.0));
+  double delay_ms = 1e3 * options.delay, clock_error_ms = 0.0;
+  app.add_option("--delay", delay_ms, "ms that pictures are behind the schedule; the same for all channels")
+      ->check(NumberFrom(0.0, 1000.0))
+      ->capture_default_str();
+  app.add_option_function<std::string>(
+         "--clock", [&](const std::string& name) { options.trust_host = name == "host"; },
+         "measured (default): ask the server for its clock; host: the machines' system clocks agree, as by PTP")
+      ->check(OneOf({"measured", "host"}));
+  app.add_option("--clock-error", clock_error_ms, "ms that the clock here is read wrong by: a test of what corrects it")
+      ->check(NumberFrom(-1e6, 1e6))
+      ->capture_default_str();
   app.add_flag("--synthetic", options.synthetic, "draw a made-up sea with a ship, without a server");
   auto* headless = app.add_flag("--headless", options.headless, "no window: write pictures and a report");
   const auto add_headless = [&](const char* name, auto& value, const char* text) {
@@ -90,15 +101,21 @@ std::optional<Options> read_options(int argc, char** argv, int& exit_code) {
   add_headless("--duration", options.duration, "end after so many seconds; 0: no limit")->check(NumberFrom(0.0, 1e6));
   add_headless("--every", options.every, "seconds between pictures written; 0: each frame")
       ->check(NumberFrom(0.0, 1e5));
+  add_headless("--rate", options.rate, "pictures a second, at most")->check(NumberFrom(0.1, 240.0));
   add_headless("--wait", options.wait, "seconds to wait for a server")->check(NumberFrom(0.0, 1e5));
   add_headless("--out", options.out, "folder for pictures and report");
   app.add_flag("--plain", options.plain, "no words in the pictures: neither PAUSED nor NO SERVER (headless)")
+      ->needs(headless);
+  app.add_flag("--swaps", options.swaps,
+               "write CHANNEL_swaps.csv: when each picture was shown, and its instant (headless)")
       ->needs(headless);
   if (const auto status = parse_command_line(app, argc, argv)) {
     exit_code = *status;
     return std::nullopt;
   }
   options.weather.visibility = kMetresPerMile * visibility;
+  options.delay = 1e-3 * delay_ms;
+  options.clock_error = 1e-3 * clock_error_ms;
   read_size(size, options.width, options.height);
   if (options.assets.empty()) options.assets = installed_assets();
   if (options.rig.empty()) options.rig = options.assets / "rigs" / "ship_bridge.json";

@@ -23,6 +23,11 @@ struct Options {
   double every = 0.0;        ///< s between pictures written; 0: each frame drawn
   double wait = 30.0;        ///< s to wait for a server
   bool plain = false;        ///< no words in the pictures
+  double delay = 0.1;        ///< s, of pictures behind the schedule
+  bool trust_host = false;   ///< the system clocks of this machine and of the server's agree
+  double clock_error = 0.0;  ///< s, that the clock here is read wrong by, for tests
+  double rate = 60.0;        ///< pictures a second, at most
+  bool swaps = false;        ///< write a line for each picture shown
   std::filesystem::path out = ".";
   int width = 1280, height = 720;
   Quality quality = Quality::kMedium;

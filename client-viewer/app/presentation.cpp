@@ -8,7 +8,8 @@
 namespace pelagos {
 namespace {
 
-constexpr double kLongestExtrapolation = 0.2;  // s
+constexpr int kMostTaken = 32;  // frames in one update
+constexpr std::int64_t kTellNs = 1'000'000'000;
 constexpr std::chrono::milliseconds kSurfaceWait{1000};
 
 bool has_all_surfaces(const SceneInfo& scene) {
@@ -24,12 +25,14 @@ std::int64_t system_time_ns() {
 }
 
 Presentation::Presentation(FrameSource& source, Channel channel, const RenderSettings& settings,
-                           std::filesystem::path mesh_folder)
+                           std::filesystem::path mesh_folder, double delay)
     : source_(source),
       channel_(std::move(channel)),
       settings_(settings),
+      delay_ns_(static_cast<std::int64_t>(1e9 * delay)),
       loader_(std::move(mesh_folder)),
-      renderer_(std::make_unique<Renderer>(settings)) {}
+      renderer_(std::make_unique<Renderer>(settings)),
+      frames_([this](std::unique_ptr<OceanFrame> frame) { source_.recycle(std::move(frame)); }) {}
 
 void Presentation::take_scene() {
   const std::uint64_t revision = source_.scene_revision();
@@ -57,27 +60,23 @@ void Presentation::take_meshes() {
   renderer_->set_meshes(loader_.meshes());
 }
 
-bool Presentation::update() {
+void Presentation::update() {
   take_scene();
   take_meshes();
-  std::unique_ptr<OceanFrame> newest = source_.take_newest();
-  if (!newest) return false;
-  source_.recycle(std::move(frame_));
-  frame_ = std::move(newest);
-  loose_ = find_loose_water(frame_->particles, scene_.particle_spacing > 0.0 ? scene_.particle_spacing : 1.0);
-  return true;
+  for (int i = 0; i < kMostTaken; ++i) {
+    std::unique_ptr<OceanFrame> frame = source_.take_next();
+    if (!frame) return;
+    frames_.add(std::move(frame));
+    drawn_.before = drawn_.after = drawn_.nearer = nullptr;
+  }
 }
 
-double Presentation::time_since_frame() const {
-  const std::optional<ServerStatus> status = source_.status();
-  if (status && status->paused) return 0.0;
-  const double since_received =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_->received).count();
-  const double since_made = 1e-9 * (static_cast<double>(system_time_ns()) - static_cast<double>(frame_->wall_time_ns));
-  // Clocks of two machines may differ: then only the time since it came is known.
-  const bool clocks_agree = since_made >= since_received && since_made < since_received + 1.0;
-  const double rate = status ? std::clamp(status->real_time_factor, 0.0, 1.0) : 1.0;
-  return rate * std::clamp(clocks_agree ? since_made : since_received, 0.0, kLongestExtrapolation);
+void Presentation::find_loose(const OceanFrame& frame) {
+  fresh_ = pictures_ == 0 || frame.frame != drawn_frame_ || frame.source != drawn_source_;
+  drawn_frame_ = frame.frame;
+  drawn_source_ = frame.source;
+  if (fresh_ || loose_.size() != frame.particles.size())
+    loose_ = find_loose_water(frame.particles, scene_.particle_spacing > 0.0 ? scene_.particle_spacing : 1.0);
 }
 
 Camera Presentation::camera_or_stand_in(std::span<const BodyState> bodies) {
@@ -92,21 +91,41 @@ Camera Presentation::camera_or_stand_in(std::span<const BodyState> bodies) {
   return camera_for(channel_, std::span(&stand_in, 1), settings_.width, settings_.height).value();
 }
 
-void Presentation::draw() {
-  const double ahead = time_since_frame();
-  std::vector<BodyState> bodies;
-  for (const BodyState& body : frame_->bodies) bodies.push_back(extrapolate(body, ahead));
+void Presentation::draw(std::int64_t shown_at_ns) {
+  drawn_ = frames_.show(source_.due_at(shown_at_ns - delay_ns_));
+  const OceanFrame& frame = *drawn_.nearer;
+  find_loose(frame);
+  const std::vector<BodyState> bodies = bodies_at(drawn_);
   SeaMoment moment;
-  moment.time = frame_->simulation_time + ahead;
-  moment.ahead = ahead;
-  moment.origin = frame_->origin;
-  moment.particles = frame_->particles;
+  moment.time = drawn_.time;
+  moment.ahead = drawn_.time - frame.simulation_time;
+  moment.origin = frame.origin;
+  moment.particles = frame.particles;
   moment.loose = loose_;
   moment.bodies = bodies;
-  const std::shared_ptr<const OceanSlick> slick = source_.slick();
+  const std::shared_ptr<const OceanSlick> slick = source_.slick_at(drawn_.time);
   if (slick) moment.slick = {slick->discs, slick->origin};
   if (const std::optional<WindSettings> wind = source_.wind()) moment.wind = wind->velocity.head<2>();
   renderer_->draw(camera_or_stand_in(bodies), moment);
+}
+
+void Presentation::shown(std::int64_t shown_at_ns) {
+  ++pictures_;
+  if (drawn_.held) ++held_;
+  const std::optional<DueInstant> due = source_.due_at(shown_at_ns - delay_ns_);
+  if (!due) return;
+  last_skew_ = drawn_.time - due->scheduled.time;
+  skew_.add(shown_at_ns, last_skew_);
+  if (shown_at_ns - told_ns_ < kTellNs) return;
+  told_ns_ = shown_at_ns;
+  ViewerStatus status;
+  status.channel = channel_.name;
+  status.pictures = pictures_;
+  status.simulation_time = drawn_.time;
+  status.delay = delay();
+  status.skew_median = skew_.recent(0.5);
+  status.skew_99 = skew_.recent(0.99);
+  source_.tell(status);
 }
 
 void Presentation::resize(int width, int height) {

@@ -32,7 +32,25 @@ ordered_json clock_difference(const Latency& latency) {
   return seconds ? ordered_json(rounded(*seconds)) : ordered_json(nullptr);
 }
 
+ordered_json clock_error(const ClockState& clock) {
+  return clock.error >= 0.0 ? ordered_json(rounded(1e3 * clock.error)) : ordered_json(nullptr);
+}
+
 }  // namespace
+
+const char* name_of(ViewerClock clock) {
+  switch (clock) {
+    case ViewerClock::kArrival:
+      return "arrival";
+    case ViewerClock::kMeasured:
+      return "measured";
+    case ViewerClock::kHost:
+      return "host";
+    case ViewerClock::kNone:
+      break;
+  }
+  return "none";
+}
 
 void write_report(const RunReport& report, const std::filesystem::path& file) {
   const double drawn = static_cast<double>(std::max<std::uint64_t>(report.frames_drawn, 1));
@@ -56,6 +74,12 @@ void write_report(const RunReport& report, const std::filesystem::path& file) {
       {"latency_ms", distribution(report.latency.from_server())},
       {"latency_from_arrival_ms", distribution(report.latency.from_arrival())},
       {"clock_difference_s", clock_difference(report.latency)},
+      {"delay_ms", rounded(1e3 * report.delay)},
+      {"skew_ms", distribution(report.skew_ms)},
+      {"pictures_held", report.pictures_held},
+      {"clock", name_of(report.clock.clock)},
+      {"clock_offset_s", 1e-9 * static_cast<double>(report.clock.offset_ns)},
+      {"clock_error_ms", clock_error(report.clock)},
       {"paused", report.paused},
       {"frames_received", report.counters.received},
       {"gaps", report.counters.missed},

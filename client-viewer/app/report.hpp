@@ -11,6 +11,9 @@
 
 namespace pelagos {
 
+/// "measured", "host", "arrival", "none".
+[[nodiscard]] const char* name_of(ViewerClock clock);
+
 /// What a headless run did; becomes `<channel>.json`.
 struct RunReport {
   std::string channel;
@@ -26,7 +29,11 @@ struct RunReport {
   double frame_ms_sum = 0.0;    ///< drawing only
   double picture_ms_sum = 0.0;  ///< reading back and writing files
   Latency latency;              ///< of frames seen for the first time while the sea moves
-  bool paused = false;          ///< the sea, when the last picture was drawn
+  double delay = 0.0;           ///< s, behind the schedule
+  std::vector<double> skew_ms;  ///< magnitudes
+  std::uint64_t pictures_held = 0;
+  ClockState clock;
+  bool paused = false;  ///< the sea, when the last picture was drawn
   ReceiverCounters counters;
   std::vector<std::string> errors;
 };

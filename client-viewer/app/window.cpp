@@ -9,6 +9,7 @@
 #include <chrono>
 #include <thread>
 
+#include "app/clock_notes.hpp"
 #include "app/presentation.hpp"
 #include "app/run.hpp"
 #include "renderer/gl_objects.hpp"
@@ -54,6 +55,16 @@ class Window {
   GLFWwindow* window_ = nullptr;
 };
 
+void show_instant(const Presentation& view, const ClockState& clock) {
+  ImGui::Text("%.0f ms behind the schedule   skew %.1f ms, 99 %%: %.1f ms", 1e3 * view.delay(),
+              1e3 * view.skew().recent(0.5), 1e3 * view.skew().recent(0.99));
+  if (clock.clock == ViewerClock::kMeasured)
+    ImGui::Text("clock measured: %.6f s, within %.2f ms", 1e-9 * static_cast<double>(clock.offset_ns),
+                1e3 * clock.error);
+  if (clock.clock == ViewerClock::kHost) ImGui::Text("clock of the host, trusted");
+  if (clock.clock == ViewerClock::kArrival) ImGui::Text("clock: by the arrival of frames");
+}
+
 void show_overlay(const Presentation& view, FrameSource& source, std::uint32_t domain, double frames_per_second) {
   ImGui::SetNextWindowPos(ImVec2(10, 10));
   ImGui::SetNextWindowBgAlpha(0.45F);
@@ -65,7 +76,7 @@ void show_overlay(const Presentation& view, FrameSource& source, std::uint32_t d
     ImGui::TextColored(warning, "%s", view.ready() ? "no server: the last frame stays" : "no server");
   if (!view.ready()) ImGui::Text("waiting for %s", awaited(source, domain).c_str());
   if (const OceanFrame* frame = view.frame()) {
-    ImGui::Text("%s   t = %.1f s   frame %llu", view.scene().scene.c_str(), frame->simulation_time,
+    ImGui::Text("%s   t = %.1f s   frame %llu", view.scene().scene.c_str(), view.time(),
                 static_cast<unsigned long long>(frame->frame));
     ImGui::Text("%zu of %u particles   %llu frames missed", frame->particles.size(), frame->total_particles,
                 static_cast<unsigned long long>(source.counters().missed));
@@ -74,6 +85,7 @@ void show_overlay(const Presentation& view, FrameSource& source, std::uint32_t d
     if (status->paused && source.server_alive()) ImGui::TextColored(warning, "paused");
     ImGui::Text("real-time factor %.2f   step %.1f ms", status->real_time_factor, status->step_ms);
   }
+  show_instant(view, source.clock_state());
   if (const auto wind = source.wind())
     ImGui::Text("wind %.1f m/s from %.0f deg", wind->velocity.head<2>().norm(), wind_from_deg(wind->velocity));
   ImGui::End();
@@ -88,10 +100,10 @@ void draw_overlay(const Presentation& view, FrameSource& source, std::uint32_t d
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-void draw_window(Presentation& view, int width, int height) {
+void draw_window(Presentation& view, int width, int height, std::int64_t moment_ns) {
   view.resize(width, height);
   view.update();
-  if (view.ready()) view.draw();
+  if (view.ready()) view.draw(moment_ns);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, width, height);
   glClearColor(0.1F, 0.13F, 0.16F, 1.0F);
@@ -107,7 +119,9 @@ int run_window(const Options& options, const Channel& channel, FrameSource& sour
   const Window window(options.width, options.height, "Pelagos - " + channel.name);
   Presentation view(source, channel,
                     {options.width, options.height, channel.guard_px, options.quality, false, options.weather},
-                    options.assets / "meshes");
+                    options.assets / "meshes", options.delay);
+  ClockNotes clock_notes(source);
+  SwapForecast forecast;
   bool overlay = true, key_was_down = false;
   double frames_per_second = 0.0;
   auto last = std::chrono::steady_clock::now();
@@ -122,9 +136,15 @@ int run_window(const Options& options, const Channel& channel, FrameSource& sour
     const bool key_down = glfwGetKey(window.get(), GLFW_KEY_F1) == GLFW_PRESS;
     if (key_down && !key_was_down) overlay = !overlay;
     key_was_down = key_down;
-    draw_window(view, width, height);
+    const std::int64_t begun = source.now_ns();
+    draw_window(view, width, height, begun + static_cast<std::int64_t>(1e9 * forecast.seconds(0.5)));
     if (overlay) draw_overlay(view, source, options.domain, frames_per_second);
     glfwSwapBuffers(window.get());
+    glFinish();  // the swap is done
+    const std::int64_t shown = source.now_ns();
+    forecast.add(1e-9 * static_cast<double>(shown - begun));
+    if (view.ready()) view.shown(shown);
+    if (view.ready()) clock_notes.look(view);
     const auto now = std::chrono::steady_clock::now();
     const double seconds = std::chrono::duration<double>(now - last).count();
     last = now;

@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <thread>
+#include <utility>
 
 #include "source/frame_source.hpp"
 #include "waves/sea_state.hpp"
@@ -64,13 +65,15 @@ double patch_elevation(const std::vector<WaveComponent>& waves, double x, double
 
 class SyntheticSource final : public FrameSource {
  public:
-  std::unique_ptr<OceanFrame> take_newest() override {
+  /// One in each round, however long it takes to make it.
+  std::unique_ptr<OceanFrame> take_next() override {
     const auto frame_number = static_cast<std::int64_t>(elapsed() / kFrameInterval);
-    if (frame_number <= last_) return nullptr;
+    if (frame_number <= last_ || std::exchange(given_, !given_)) return nullptr;
     auto frame = spare_ ? std::move(spare_) : std::make_unique<OceanFrame>();
     fill_synthetic_frame(static_cast<double>(frame_number) * kFrameInterval, *frame);
     frame->frame = static_cast<std::uint64_t>(frame_number);
     frame->received = std::chrono::steady_clock::now();
+    frame->received_ns = now_ns();
     frame->wall_time_ns =
         std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
             .count();
@@ -79,16 +82,20 @@ class SyntheticSource final : public FrameSource {
     return frame;
   }
   void recycle(std::unique_ptr<OceanFrame> frame) override { spare_ = std::move(frame); }
-  bool wait_for_frame(std::chrono::milliseconds timeout) override {
-    const std::chrono::duration<double> next(static_cast<double>(last_ + 1) * kFrameInterval - elapsed());
-    if (next.count() > 0.0) std::this_thread::sleep_for(std::min(next, std::chrono::duration<double>(timeout)));
-    return elapsed() >= static_cast<double>(last_ + 1) * kFrameInterval;
-  }
   std::optional<SceneInfo> scene_info() override { return synthetic_scene(); }
   std::uint64_t scene_revision() override { return 1; }
   std::optional<ServerStatus> status() override { return std::nullopt; }
   std::optional<WindSettings> wind() override { return std::nullopt; }
-  std::shared_ptr<const OceanSlick> slick() override { return nullptr; }
+  std::shared_ptr<const OceanSlick> slick_at(double) override { return nullptr; }
+  std::int64_t now_ns() override { return LocalClocks{}.now().clock_ns; }
+  std::optional<DueInstant> due_at(std::int64_t moment_ns) override {
+    using Limits = std::numeric_limits<std::int64_t>;
+    const double time =
+        std::chrono::duration<double>(std::chrono::nanoseconds(moment_ns) - start_.time_since_epoch()).count();
+    return DueInstant{{std::max(time, 0.0), 0, Limits::min(), Limits::max()}, ViewerClock::kHost};
+  }
+  ClockState clock_state() override { return {ViewerClock::kHost, 0, 0.0, std::nullopt, false}; }
+  void tell(const ViewerStatus&) override {}
   bool server_alive() override { return true; }
   ReceiverCounters counters() override { return counters_; }
 
@@ -98,6 +105,7 @@ class SyntheticSource final : public FrameSource {
   }
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::int64_t last_ = -1;
+  bool given_ = false;
   std::unique_ptr<OceanFrame> spare_;
   ReceiverCounters counters_;
 };

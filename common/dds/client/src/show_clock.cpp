@@ -39,6 +39,7 @@ void ShowClock::set_paused(bool paused, const ClockStamp& now) {
 ClockState ShowClock::state(const ClockStamp& now) const {
   ClockState state;
   state.measured = offsets_.offset(now.clock_ns);
+  state.scheduled = !schedule_.empty();
   if (!arrivals_.empty()) state.clock = ViewerClock::kArrival;
   if (schedule_.empty()) return state;
   if (trust_host_) {

@@ -24,6 +24,7 @@ struct ClockState {
   std::int64_t offset_ns = 0;           ///< the schedule's clock less the steady clock here
   double error = -1.0;                  ///< s, the offset is right within that; negative: not known
   std::optional<ClockOffset> measured;  ///< also where it is not used
+  bool scheduled = false;               ///< the server sends a schedule
 };
 
 /// What is due, and by which clock frames were completed.
