@@ -36,10 +36,10 @@ void main() {
   vec4 open_sea = textureLod(far_sea, uv, 0.0);
   vec4 fluid_here = fluid_at(0.5 * ndc * vec2(right.w, up.w) / fluid_size.zw + 0.5);
   float weight = fluid_here.x > 0.0 ? patch_weight(d.xy / fluid_here.x) : 0.0;
-  // Where the two surfaces lie far apart along the ray, one of them is a crest that hides what is behind it. A mean of both
-  // would stand there as a wall.
-  float apart = max(open_sea.x, fluid_here.x) / max(min(open_sea.x, fluid_here.x), 1e-6);
-  weight = mix(weight, step(0.5, weight), smoothstep(1.06, 1.25, apart));
+  // Where one of the two surfaces lies much higher where the ray meets it, it is a crest that hides the other. A mean of
+  // both would stand there as a wall.
+  float apart = abs(d.z) * abs(1.0 / max(open_sea.x, 1e-6) - 1.0 / max(fluid_here.x, 1e-6));  // m, in height
+  weight = mix(weight, step(0.5, weight), smoothstep(0.5, 1.2, apart));
   float water = mix(open_sea.x, fluid_here.x, weight);
   if (open_sea.x <= 0.0) water = weight > 0.5 ? fluid_here.x : 0.0;
   // A particle is about a spacing wide: water that seems to lie that thin on the dry parts of a hull is only its width.

@@ -184,8 +184,7 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float churned, f
   // bubbles lie thick where the pattern is high, thin over dark water where it is low
   vec3 foam_colour = mix(vec3(0.56, 0.65, 0.69), vec3(0.84, 0.87, 0.88), smoothstep(0.15, 0.75, white.y)) * (0.42 * sunlight.w + 0.50 * sun_here * sun.w * sunlight.rgb * clamp(dot(n, sun.xyz), 0.0, 1.0));
   colour = mix(colour, foam_colour, 0.93 * white.x);
-  float haze = 1.0 - exp(-distance_to / level.z);
-  return mix(colour, haze_colour(d), haze);
+  return mix(colour, haze_colour(d), haze_over(d, distance_to));
 }
 
 void main() {
