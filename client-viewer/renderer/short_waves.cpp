@@ -20,9 +20,11 @@ struct Band {
   double longest, shortest;  ///< m, of its waves: (shortest, longest]
 };
 constexpr std::array<Band, kShortWaveTiles> kBands = {{{167.0, 60.0, 4.0}, {23.0, 4.0, 0.7}, {4.1, 0.7, 0.12}}};
-constexpr double kLongestShortWave = 12.0;  // m: longer ones are for the components alone
-constexpr double kShortestWave = 0.017;     // m: here surface tension takes over from gravity, and slopes end
-constexpr double kSpreadInLength = 0.15, kSpreadInDirection = 0.2;  // of a component's stand-ins: of ln k, rad
+constexpr std::array<double, kShortWaveTiles> kSpreading = {3.5, 2.8,
+                                                            1.2};  // s of cos^2s of half the angle to the wind
+constexpr double kLongestShortWave = 12.0;                         // m: longer ones are for the components alone
+constexpr double kShortestWave = 0.017;  // m: here surface tension takes over from gravity, and slopes end
+constexpr double kSpreadInLength = 0.2, kSpreadInDirection = 0.35;  // of a component's stand-ins: of ln k, rad
 
 int wave_index(int texel) { return texel <= kSide / 2 ? texel : texel - kSide; }
 
@@ -160,8 +162,8 @@ void ShortWaves::add_wind_sea(std::size_t tile, const Eigen::Vector2d& wind, dou
   std::vector<std::pair<std::size_t, double>> shares;
   for_each_wave(band, longest, [&](std::size_t at, const Eigen::Vector2d& k, double size) {
     const double cosine = k.dot(towards) / size;
-    // Shorter waves spread wider; the shortest run all ways but against the wind.
-    const double spread = 0.06 + std::pow(std::max(0.5 + 0.5 * cosine, 0.0), tile == 2 ? 2.0 : 4.0);
+    // Shorter waves spread wider (Mitsuyasu and others 1975); the shortest run nearly all ways.
+    const double spread = 0.08 + std::pow(std::max(0.5 + 0.5 * cosine, 0.0), kSpreading[tile]);
     shares.emplace_back(at, spread / (size * size));
     sum += shares.back().second;
   });

@@ -19,18 +19,24 @@ struct Detail { vec2 slope; float variance; float foam; };
 // blurs counts as variance (Olano and Baker 2010). Stand-ins of wave components leave out what the grid shows itself.
 Detail short_waves(vec2 p, float footprint) {
   float cell = grid_cell(length(p));
+  // Gusts ruffle some places more than others, which also hides that the tiles repeat.
+  vec2 q = vec2(dot(p, pattern.xy), dot(p, vec2(-pattern.y, pattern.x))) + pattern.zw;
+  float blur = log2(footprint * 256.0 / 90.0);
+  float gust = 0.55 + 0.6 * textureLod(foam_pattern, q / vec2(180.0, 90.0), max(blur, 3.6)).r +
+               0.3 * textureLod(foam_pattern, q.yx / vec2(60.0, 90.0) + 0.7, max(blur, 2.8)).r;
   Detail detail = Detail(vec2(0.0), sea_grid.w, 0.0);
   for (int i = 0; i < 3; ++i) {
     vec2 place = p * tile[i].z + tile[i].xy;
     float texels = 128.0 * tile[i].z;  // a metre
     float lod = max(log2(footprint * texels), 0.0);
+    float size = i == 0 ? 1.0 : gust;
     vec4 texel = textureLod(short_sea[i], place, lod);
-    detail.slope += texel.xy;
+    detail.slope += size * texel.xy;
     if (i < 2) {
       float shown = 0.5 * max(7.4 * cell, tile[i].w);  // half the length of waves that the grid shows
-      detail.slope -= textureLod(short_sea[i], place, max(log2(shown * texels), lod)).xy;
+      detail.slope -= size * textureLod(short_sea[i], place, max(log2(shown * texels), lod)).xy;
     }
-    detail.variance += max(texel.z - dot(texel.xy, texel.xy), 0.0);
+    detail.variance += size * size * max(texel.z - dot(texel.xy, texel.xy), 0.0);
     detail.foam = max(detail.foam, texel.w * (i == 0 ? smoothstep(1.0, 4.0, cell) : 0.22));
   }
   return detail;
