@@ -11,11 +11,19 @@ namespace {
 /// A body that moves farther than that from frame to frame, and twice as far as its speed says, was put elsewhere.
 constexpr double kLeap = 1.0;  // m
 
+/// When the frame was completed, or came, by the clock of the schedule; nothing where that is not known.
+std::optional<std::int64_t> stamp_of(const OceanFrame& frame, const DueInstant& due) {
+  return by_server(due.clock) ? frame.completed_ns : std::optional(frame.received_ns);
+}
+
+bool is_of_earlier_era(const OceanFrame& frame, const DueInstant& due) {
+  const auto stamp = stamp_of(frame, due);
+  return stamp && *stamp < due.scheduled.era_begin_ns;
+}
+
 bool is_of_era(const OceanFrame& frame, const DueInstant& due) {
-  if (!by_server(due.clock))
-    return frame.received_ns >= due.scheduled.era_begin_ns && frame.received_ns < due.scheduled.era_end_ns;
-  if (!frame.completed_ns) return true;
-  return *frame.completed_ns >= due.scheduled.era_begin_ns && *frame.completed_ns < due.scheduled.era_end_ns;
+  const auto stamp = stamp_of(frame, due);
+  return !stamp || (*stamp >= due.scheduled.era_begin_ns && *stamp < due.scheduled.era_end_ns);
 }
 
 const BodyState* find(const OceanFrame& frame, std::uint32_t body) {
@@ -55,7 +63,7 @@ void FrameWindow::drop(std::size_t index) {
   frames_.erase(frames_.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
-FramePair FrameWindow::without_due() {
+FramePair FrameWindow::without_due() const {
   FramePair pair;
   if (frames_.empty()) return pair;
   pair.before = pair.nearer = last_drawn_ != nullptr ? last_drawn_ : frames_.back().frame.get();
@@ -64,46 +72,47 @@ FramePair FrameWindow::without_due() {
   return pair;
 }
 
-FramePair FrameWindow::show(const std::optional<DueInstant>& due) {
+/// Of two frames of the same time the one that came last.
+FramePair FrameWindow::around(const DueInstant& due) const {
   FramePair pair;
-  if (due) {
-    for (const Entry& entry : frames_) {
-      const OceanFrame* frame = entry.frame.get();
-      if (!is_of_era(*frame, *due)) continue;
-      const bool later = frame->simulation_time > due->scheduled.time;
-      const OceanFrame*& best = later ? pair.after : pair.before;
-      // Of two frames of the same time the one that came last.
-      if (best == nullptr ||
-          (later ? frame->simulation_time <= best->simulation_time : frame->simulation_time >= best->simulation_time))
-        best = frame;
+  const double time = due.scheduled.time;
+  for (const Entry& entry : frames_) {
+    const OceanFrame* frame = entry.frame.get();
+    if (!is_of_era(*frame, due)) continue;
+    if (frame->simulation_time <= time) {
+      if (!pair.before || frame->simulation_time >= pair.before->simulation_time) pair.before = frame;
+    } else if (!pair.after || frame->simulation_time <= pair.after->simulation_time) {
+      pair.after = frame;
     }
-  } else {
-    last_drawn_ = nullptr;
   }
-  if (pair.before == nullptr && pair.after == nullptr) {
-    pair = without_due();
-  } else {
-    const double time = due->scheduled.time;
-    const bool first = pair.after == nullptr || (pair.before != nullptr && time - pair.before->simulation_time <=
-                                                                               pair.after->simulation_time - time);
-    pair.nearer = first ? pair.before : pair.after;
-    pair.time = std::clamp(time, pair.nearer->simulation_time - kLongestExtrapolation,
-                           pair.nearer->simulation_time + kLongestExtrapolation);
-    pair.held = pair.time != time;
-  }
+  if (!pair.before && !pair.after) return without_due();
+  const bool first =
+      !pair.after || (pair.before && time - pair.before->simulation_time <= pair.after->simulation_time - time);
+  pair.nearer = first ? pair.before : pair.after;
+  pair.time = std::clamp(time, pair.nearer->simulation_time - kLongestExtrapolation,
+                         pair.nearer->simulation_time + kLongestExtrapolation);
+  pair.held = pair.time != time;
+  return pair;
+}
+
+FramePair FrameWindow::show(const std::optional<DueInstant>& due) {
+  if (!due) last_drawn_ = nullptr;
+  const FramePair pair = due ? around(*due) : without_due();
   last_drawn_ = pair.nearer;
+  for (Entry& entry : frames_)
+    if (entry.frame.get() == pair.nearer) entry.drawn = true;
+  if (due) let_go(pair, *due);
+  return pair;
+}
+
+/// Schedules do not go back within an era.
+void FrameWindow::let_go(const FramePair& pair, const DueInstant& due) {
   for (std::size_t i = frames_.size(); i-- > 0;) {
     const OceanFrame* frame = frames_[i].frame.get();
-    if (frame == pair.nearer) frames_[i].drawn = true;
-    if (frame == pair.before || frame == pair.after || frame == pair.nearer || !due) continue;
-    const bool earlier =
-        pair.before != nullptr && is_of_era(*frame, *due) && frame->simulation_time <= pair.before->simulation_time;
-    const bool of_earlier_era = by_server(due->clock)
-                                    ? frame->completed_ns && *frame->completed_ns < due->scheduled.era_begin_ns
-                                    : frame->received_ns < due->scheduled.era_begin_ns;
-    if (earlier || of_earlier_era) drop(i);
+    if (frame == pair.before || frame == pair.after || frame == pair.nearer) continue;
+    const bool passed = pair.before && is_of_era(*frame, due) && frame->simulation_time <= pair.before->simulation_time;
+    if (passed || is_of_earlier_era(*frame, due)) drop(i);
   }
-  return pair;
 }
 
 std::vector<BodyState> bodies_at(const FramePair& pair) {

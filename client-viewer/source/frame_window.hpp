@@ -47,7 +47,9 @@ class FrameWindow {
     bool drawn = false;
   };
   void drop(std::size_t index);
-  [[nodiscard]] FramePair without_due();
+  [[nodiscard]] FramePair without_due() const;
+  [[nodiscard]] FramePair around(const DueInstant& due) const;
+  void let_go(const FramePair& pair, const DueInstant& due);
 
   Recycle recycle_;
   std::deque<Entry> frames_;  ///< in the order of their arrival
