@@ -1,5 +1,7 @@
 #include "meshes/mesh_data.hpp"
 
+#include "meshes/quay.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -113,6 +115,8 @@ MeshData load_mesh(const std::filesystem::path& file, double scale, MeshAxes axe
 }
 
 MeshData draw_primitive(const Primitive& primitive) {
+  if (const auto* box = std::get_if<BoxShape>(&primitive); box != nullptr && looks_like_quay(*box))
+    return draw_quay(*box);
   const TriangleMesh mesh = make_mesh(primitive);
   double reach = 0.0;
   for (const Eigen::Vector3d& v : mesh.vertices) reach = std::max(reach, v.cwiseAbs().maxCoeff());

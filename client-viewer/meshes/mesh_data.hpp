@@ -45,7 +45,8 @@ using Colour = std::array<float, 3>;  ///< linear
 [[nodiscard]] MeshData load_mesh(const std::filesystem::path& file, double scale,
                                  MeshAxes axes = MeshAxes::kXForwardZUp);
 
-/// A primitive in one colour: a buoy's yellow, or concrete where it is larger than ten metres.
+/// A long box as a quay (meshes/quay.hpp); any other primitive in one colour: a buoy's yellow, or concrete where it is
+/// larger than ten metres.
 [[nodiscard]] MeshData draw_primitive(const Primitive& primitive);
 
 /// A box in grey, in place of a mesh that cannot be drawn.

@@ -11,7 +11,6 @@ constexpr std::size_t kSpritesOfADrop = 8;  // kSprites of spray.vert
 
 CompositePass::CompositePass(int width, int height, bool smooth_edges)
     : join_program_("screen.vert", "join.frag"),
-      water_program_("screen.vert", "water.frag"),
       spray_program_("spray.vert", "spray.frag"),
       edge_program_("screen.vert", "fxaa.frag"),
       picture_(width, height, GL_RGBA8, GL_LINEAR, GL_CLAMP_TO_EDGE),
@@ -26,7 +25,7 @@ CompositePass::CompositePass(int width, int height, bool smooth_edges)
       smooth_edges_(smooth_edges) {}
 
 void CompositePass::compose(const OpaquePass& opaque, const FarSeaPass& far_sea, const ShortSea& short_sea,
-                            const FluidPass& fluid, const DetailTextures& detail, const SlickMap* slick) {
+                            const FluidPass& fluid, const DetailTextures& detail, const SlickMap* slick, bool wake) {
   glDisable(GL_BLEND);
   opaque.colour().bind(0);
   opaque.inverse_depth().bind(1);
@@ -50,15 +49,18 @@ void CompositePass::compose(const OpaquePass& opaque, const FarSeaPass& far_sea,
   for (std::size_t t = 0; t < kShortWaveTiles; ++t) short_sea.tile(t).bind(static_cast<GLuint>(9 + t));
   glDepthMask(GL_FALSE);
   glDepthFunc(GL_GREATER);  // screen.vert draws at 0.5: over the 0 of water
-  if (slick != nullptr) {
-    if (!oily_program_) oily_program_ = std::make_unique<Program>("screen.vert", "water.frag", "WITH_SLICK");
-    slick->film().bind(8);
-    oily_program_->use();
-  } else {
-    water_program_.use();
-  }
+  if (slick != nullptr) slick->film().bind(8);
+  water_program(slick != nullptr, wake).use();
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_DEPTH_TEST);
+}
+
+const Program& CompositePass::water_program(bool slick, bool wake) {
+  auto& program = water_programs_[(slick ? 1U : 0U) + (wake ? 2U : 0U)];
+  if (!program)
+    program = std::make_unique<Program>("screen.vert", "water.frag",
+                                        std::string(slick ? "WITH_SLICK " : "") + (wake ? "WITH_WAKE" : ""));
+  return *program;
 }
 
 void CompositePass::draw_spray(std::span<const DrawnParticle> drops, const DetailTextures& detail) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "renderer/detail_textures.hpp"
@@ -18,8 +19,9 @@ class CompositePass {
   CompositePass(int width, int height, bool smooth_edges);
 
   /// @param slick  may be null: there has been no oil yet
+  /// @param wake   whether hulls move or foam lies on the foam map
   void compose(const OpaquePass& opaque, const FarSeaPass& far_sea, const ShortSea& short_sea, const FluidPass& fluid,
-               const DetailTextures& detail, const SlickMap* slick);
+               const DetailTextures& detail, const SlickMap* slick, bool wake);
   void draw_spray(std::span<const DrawnParticle> drops, const DetailTextures& detail);
   void finish();
 
@@ -29,8 +31,11 @@ class CompositePass {
   [[nodiscard]] const Texture& inverse_depth() const { return scene_inverse_; }
 
  private:
-  std::unique_ptr<Program> oily_program_;  ///< from the first slick on
-  Program join_program_, water_program_, spray_program_, edge_program_;
+  /// The variant of water.frag, made when it is first asked for.
+  const Program& water_program(bool slick, bool wake);
+
+  std::array<std::unique_ptr<Program>, 4> water_programs_;
+  Program join_program_, spray_program_, edge_program_;
   Texture picture_, scene_inverse_, smoothed_, water_surface_, water_traits_;
   Framebuffer join_target_, water_target_, spray_target_, smooth_target_;
   Buffer drops_, quads_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <sstream>
 
 namespace pelagos {
 namespace {
@@ -27,8 +28,10 @@ std::string with_includes(std::string_view text) {
 std::string shader_source(std::string_view file, std::string_view defined) {
   const std::string_view body = shader_text(file), common = shader_text("common.glsl");
   if (body.empty() || common.empty()) throw GraphicsError("no shader named " + std::string(file) + " in this build");
-  const std::string macro = defined.empty() ? "" : "#define " + std::string(defined) + "\n";
-  return "#version 450 core\n" + macro + std::string(common) + "\n#line 1\n" + with_includes(body);
+  std::string macros;
+  std::istringstream names{std::string(defined)};
+  for (std::string name; names >> name;) macros += "#define " + name + "\n";
+  return "#version 450 core\n" + macros + std::string(common) + "\n#line 1\n" + with_includes(body);
 }
 
 namespace {
@@ -148,15 +151,66 @@ void Framebuffer::bind() const {
   glViewport(0, 0, width_, height_);
 }
 
-void Framebuffer::begin_solids(const std::array<float, 4>& background) const {
+namespace {
+
+/// The bound framebuffer is emptied and takes solids: depth (reversed) hides what lies behind, nothing is blended.
+void start_solids(GLuint id, GLint colours, const std::array<float, 4>& background) {
   const float far_away = 0.0F;
-  bind();
   glDepthMask(GL_TRUE);
-  for (GLint k = 0; k < colours_; ++k) glClearNamedFramebufferfv(id_, GL_COLOR, k, background.data());
-  glClearNamedFramebufferfv(id_, GL_DEPTH, 0, &far_away);
+  for (GLint k = 0; k < colours; ++k) glClearNamedFramebufferfv(id, GL_COLOR, k, background.data());
+  glClearNamedFramebufferfv(id, GL_DEPTH, 0, &far_away);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
   glDisable(GL_BLEND);
+}
+
+}  // namespace
+
+void Framebuffer::begin_solids(const std::array<float, 4>& background) const {
+  bind();
+  start_solids(id_, colours_, background);
+}
+
+MultisampleTarget::MultisampleTarget(int width, int height, std::initializer_list<GLenum> formats, int samples)
+    : width_(width), height_(height) {
+  glCreateFramebuffers(1, &id_);
+  std::vector<GLenum> targets;
+  for (const GLenum format : formats) {
+    colours_.push_back(0);
+    glCreateRenderbuffers(1, &colours_.back());
+    glNamedRenderbufferStorageMultisample(colours_.back(), samples, format, width, height);
+    targets.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(targets.size()));
+    glNamedFramebufferRenderbuffer(id_, targets.back(), GL_RENDERBUFFER, colours_.back());
+  }
+  glNamedFramebufferDrawBuffers(id_, static_cast<GLsizei>(targets.size()), targets.data());
+  glCreateRenderbuffers(1, &depth_);
+  glNamedRenderbufferStorageMultisample(depth_, samples, GL_DEPTH_COMPONENT32F, width, height);
+  glNamedFramebufferRenderbuffer(id_, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+  if (glCheckNamedFramebufferStatus(id_, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw GraphicsError("this OpenGL cannot draw " + std::to_string(samples) + " samples a pixel into a buffer of " +
+                        std::to_string(width) + " x " + std::to_string(height) + " pixels; try a smaller --size");
+}
+
+MultisampleTarget::~MultisampleTarget() {
+  glDeleteFramebuffers(1, &id_);
+  glDeleteRenderbuffers(static_cast<GLsizei>(colours_.size()), colours_.data());
+  glDeleteRenderbuffers(1, &depth_);
+}
+
+void MultisampleTarget::begin_solids() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, id_);
+  glViewport(0, 0, width_, height_);
+  start_solids(id_, static_cast<GLint>(colours_.size()), {});
+}
+
+void MultisampleTarget::resolve_into(const Framebuffer& target) const {
+  for (std::size_t k = 0; k < colours_.size(); ++k) {
+    const GLenum colour = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(k);
+    glNamedFramebufferReadBuffer(id_, colour);
+    glNamedFramebufferDrawBuffer(target.id(), colour);
+    glBlitNamedFramebuffer(id_, target.id(), 0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
+                           GL_NEAREST);
+  }
 }
 
 Buffer::Buffer() { glCreateBuffers(1, &id_); }

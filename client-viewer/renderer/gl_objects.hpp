@@ -21,7 +21,7 @@ class GraphicsError : public std::runtime_error {
 /// Text of an embedded shader file, empty if there is none of that name.
 [[nodiscard]] std::string_view shader_text(std::string_view name);
 
-/// What is compiled for a shader file: the version line, the macro that is defined, if any, common.glsl, and the file
+/// What is compiled for a shader file: the version line, the macros of `defined`, common.glsl, and the file
 /// with those that it includes.
 /// @throws GraphicsError if there is no such file
 [[nodiscard]] std::string shader_source(std::string_view file, std::string_view defined = {});
@@ -29,7 +29,7 @@ class GraphicsError : public std::runtime_error {
 /// A linked program from files of `shaders/`; see shader_source.
 class Program {
  public:
-  /// @param defined  a macro that both stages see, for a variant of the program; empty: none
+  /// @param defined  macros that both stages see, with blanks between them, for a variant of the program
   /// @throws GraphicsError with the compiler's log
   Program(std::string_view vertex_file, std::string_view fragment_file, std::string_view defined = {});
   ~Program();
@@ -87,6 +87,26 @@ class Framebuffer {
 
   GLuint id_ = 0, depth_ = 0;  // depth_: its own, else 0
   GLint colours_;
+  int width_, height_;
+};
+
+/// Colours and depth with several samples a pixel, to be resolved into a framebuffer's textures.
+class MultisampleTarget {
+ public:
+  /// @param samples  1 or more; drivers may take more
+  MultisampleTarget(int width, int height, std::initializer_list<GLenum> formats, int samples);
+  ~MultisampleTarget();
+  MultisampleTarget(const MultisampleTarget&) = delete;
+  MultisampleTarget& operator=(const MultisampleTarget&) = delete;
+
+  /// As Framebuffer::begin_solids(), over nothing.
+  void begin_solids() const;
+  /// The mean of each pixel's samples, colour by colour. `target` draws into its last colour alone afterwards.
+  void resolve_into(const Framebuffer& target) const;
+
+ private:
+  GLuint id_ = 0, depth_ = 0;
+  std::vector<GLuint> colours_;
   int width_, height_;
 };
 

@@ -12,7 +12,7 @@ void draw_meshes(const std::vector<PlacedMesh>& meshes, const Program& program) 
   }
 }
 
-OpaquePass::OpaquePass(int width, int height, int mirror_divisor)
+OpaquePass::OpaquePass(int width, int height, int mirror_divisor, int samples)
     : mirror_levels_(mirror_divisor > 2 ? 1 : 5),  // a small image is blurred already
       program_("opaque.vert", "opaque.frag"),
       colour_(width, height, GL_RGBA16F, GL_LINEAR, GL_CLAMP_TO_EDGE),
@@ -20,17 +20,22 @@ OpaquePass::OpaquePass(int width, int height, int mirror_divisor)
       mirrored_(std::max(width / mirror_divisor, 1), std::max(height / mirror_divisor, 1), GL_RGBA16F, GL_LINEAR,
                 GL_CLAMP_TO_EDGE, mirror_levels_),
       mirrored_depth_(mirrored_.width(), mirrored_.height(), GL_R32F, GL_NEAREST, GL_CLAMP_TO_EDGE),
+      samples_(samples > 1 ? std::make_unique<MultisampleTarget>(
+                                 width, height, std::initializer_list<GLenum>{GL_RGBA16F, GL_R32F}, samples)
+                           : nullptr),
       target_({&colour_, &inverse_depth_}, true),
       mirror_target_({&mirrored_, &mirrored_depth_}, true) {}
 
 void OpaquePass::draw(const std::vector<PlacedMesh>& meshes) {
-  draw_into(target_, meshes, false);
-  draw_into(mirror_target_, meshes, true);
+  samples_ ? samples_->begin_solids() : target_.begin_solids();
+  draw_meshes_once(meshes, false);
+  if (samples_) samples_->resolve_into(target_);
+  mirror_target_.begin_solids();
+  draw_meshes_once(meshes, true);
   if (mirror_levels_ > 1) glGenerateTextureMipmap(mirrored_.id());
 }
 
-void OpaquePass::draw_into(const Framebuffer& target, const std::vector<PlacedMesh>& meshes, bool mirror) {
-  target.begin_solids();
+void OpaquePass::draw_meshes_once(const std::vector<PlacedMesh>& meshes, bool mirror) {
   program_.use();
   program_.set("mirror", mirror ? 1.0F : 0.0F);
   draw_meshes(meshes, program_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <memory>
 #include <vector>
 
 #include "renderer/gl_objects.hpp"
@@ -22,21 +23,24 @@ void draw_meshes(const std::vector<PlacedMesh>& meshes, const Program& program);
 class OpaquePass {
  public:
   /// @param mirror_divisor  the mirror image has so many times fewer pixels a side
-  OpaquePass(int width, int height, int mirror_divisor);
+  /// @param samples  of a pixel
+  OpaquePass(int width, int height, int mirror_divisor, int samples);
   void draw(const std::vector<PlacedMesh>& meshes);
 
+  /// Times the share of the pixel that bodies cover; alpha: that share.
   [[nodiscard]] const Texture& colour() const { return colour_; }
-  [[nodiscard]] const Texture& inverse_depth() const { return inverse_depth_; }
+  [[nodiscard]] const Texture& inverse_depth() const { return inverse_depth_; }  ///< times that share
   [[nodiscard]] const Texture& mirrored() const {
     return mirrored_;
   }  ///< alpha: covered; with mip levels unless it is small
 
  private:
-  void draw_into(const Framebuffer& target, const std::vector<PlacedMesh>& meshes, bool mirror);
+  void draw_meshes_once(const std::vector<PlacedMesh>& meshes, bool mirror);
 
   int mirror_levels_;
   Program program_;
   Texture colour_, inverse_depth_, mirrored_, mirrored_depth_;
+  std::unique_ptr<MultisampleTarget> samples_;  ///< null: one sample
   Framebuffer target_, mirror_target_;
 };
 

@@ -163,7 +163,7 @@ struct Renderer::State {
   explicit State(const RenderSettings& s)
       : settings(s),
         size(size_for(s)),
-        opaque(s.width, s.height, s.quality == Quality::kLow ? 4 : 2),
+        opaque(s.width, s.height, s.quality == Quality::kLow ? 4 : 2, s.quality == Quality::kLow ? 1 : 4),
         shadow(shadow_texels(s.quality)),
         far_sea(s.width, s.height,
                 s.quality == Quality::kLow    ? 2.0
@@ -437,7 +437,8 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   const FrameMoment frame = s.frame_at(camera, moment);
   s.short_waves.set_sea(frame.waves.waves, frame.wind);
   s.lay_foam(camera, moment, frame);
-  s.upload_view(s.view_block(camera, moment, frame));
+  const ViewBlock block = s.view_block(camera, moment, frame);
+  s.upload_view(block);
   s.renew_sky(frame.light);
   s.shadow.draw(frame.bodies);
   s.shadow.map().bind(kShadowUnit);
@@ -455,7 +456,8 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   pass_done();
   s.fluid.smooth();
   pass_done();
-  s.composite.compose(s.opaque, s.far_sea, s.short_sea, s.fluid, s.detail, s.slick_map.get());
+  s.composite.compose(s.opaque, s.far_sea, s.short_sea, s.fluid, s.detail, s.slick_map.get(),
+                      s.foam.present() || block.fluid.z() > 0.0F);
   pass_done();
   s.composite.draw_spray(s.drops, s.detail);
   s.composite.finish();

@@ -32,7 +32,9 @@ vec4 fluid_at(vec2 uv) {
 void main() {
   vec2 uv = 0.5 * ndc + 0.5;
   vec3 d = ray_through(ndc);
-  float solid = textureLod(opaque_inverse, uv, 0.0).r;
+  vec4 body = textureLod(opaque_colour, uv, 0.0);
+  float cover = body.a;
+  float solid = cover > 0.0 ? textureLod(opaque_inverse, uv, 0.0).r / cover : 0.0;
   vec4 open_sea = textureLod(far_sea, uv, 0.0);
   vec4 fluid_here = fluid_at(0.5 * ndc * vec2(right.w, up.w) / fluid_size.zw + 0.5);
   float weight = fluid_here.x > 0.0 ? patch_weight(d.xy / fluid_here.x) : 0.0;
@@ -48,15 +50,14 @@ void main() {
   vec2 own = fluid_here.yz / (1.0 + 0.6 * length(fluid_here.yz));
   water_surface = vec4(water, open_sea.yz + weight * own, open_sea.w);
   water_traits = vec4(weight, weight * smoothstep(0.15, 0.55, -fluid_here.w), 0.75 * weight * max(fluid_here.w, 0.0), 0.0);
-  scene_inverse = max(solid, water);
-  gl_FragDepth = water > solid ? 0.0 : 1.0;
-  vec3 colour;
-  if (solid > 0.0) {
-    colour = mix(textureLod(opaque_colour, uv, 0.0).rgb, haze_colour(d), 1.0 - exp(-length(d) / (solid * level.z)));
-  } else {
-    colour = sky_colour(normalize(d), 0.0);
-    colour = mix(colour, haze_colour(d), exp(-abs(d.z) / length(d) * 30.0));
+  scene_inverse = cover > 0.5 ? max(solid, water) : water;
+  // Where a body covers but a part of the pixel, the water behind it is needed as well.
+  gl_FragDepth = water > solid || (water > 0.0 && cover < 0.99) ? 0.0 : 1.0;
+  vec3 colour = sky_colour(normalize(d), 0.0);
+  colour = tone_map(mix(colour, haze_colour(d), exp(-abs(d.z) / length(d) * 30.0)));
+  if (cover > 0.0) {
+    float haze = 1.0 - exp(-length(d) / (solid * level.z));
+    colour = mix(colour, tone_map(mix(body.rgb / cover, haze_colour(d), haze)), cover);
   }
-  colour = tone_map(colour);
   picture = vec4(colour, dot(colour, vec3(0.299, 0.587, 0.114)));
 }

@@ -1,4 +1,5 @@
-// The macro WITH_SLICK is defined where there is a film of oil.
+// The macro WITH_SLICK is defined where there is a film of oil, WITH_WAKE where hulls move or foam lies on the foam map: a
+// software renderer computes both sides of a branch.
 // Colours the pixels of water that join.frag has found.
 in vec2 ndc;
 layout(binding = 0) uniform sampler2D opaque_colour;
@@ -14,16 +15,19 @@ layout(location = 0) out vec4 picture;
 
 #include "air.glsl"
 
+// A place in axes along and across the streaks of foam, and slow changes from place to place, -0.5..0.5.
+vec2 in_pattern(vec2 p) { return vec2(dot(p, pattern.xy), dot(p, vec2(-pattern.y, pattern.x))) + pattern.zw; }
+vec2 slow_pattern(vec2 q, float footprint) {
+  return textureLod(foam_pattern, q / vec2(180.0, 60.0) + 0.2, max(log2(footprint * 256.0 / 60.0), 3.5)).rg - 0.5;
+}
+
 struct Detail { vec2 slope; float variance; float foam; };
 // Waves that the far sea's grid and the particles do not show: tiles of short waves, anchored in the world. What a pixel
 // blurs counts as variance (Olano and Baker 2010). Stand-ins of wave components leave out what the grid shows itself.
-Detail short_waves(vec2 p, float footprint) {
+Detail short_waves(vec2 p, float footprint, vec2 drift) {
   float cell = grid_cell(length(p));
   // Gusts ruffle some places more than others, which also hides that the tiles repeat.
-  vec2 q = vec2(dot(p, pattern.xy), dot(p, vec2(-pattern.y, pattern.x))) + pattern.zw;
-  float blur = log2(footprint * 256.0 / 90.0);
-  float gust = 0.55 + 0.6 * textureLod(foam_pattern, q / vec2(180.0, 90.0), max(blur, 3.6)).r +
-               0.3 * textureLod(foam_pattern, q.yx / vec2(60.0, 90.0) + 0.7, max(blur, 2.8)).r;
+  float gust = 1.0 + 0.9 * drift.x + 0.5 * drift.y;
   Detail detail = Detail(vec2(0.0), sea_grid.w, 0.0);
   for (int i = 0; i < 3; ++i) {
     vec2 place = p * tile[i].z + tile[i].xy;
@@ -43,20 +47,20 @@ Detail short_waves(vec2 p, float footprint) {
 }
 
 #include "shadow.glsl"
+#ifdef WITH_WAKE
 #include "wake.glsl"
+#endif
 
 // Share of a place that foam covers, where `amount` (0..1) of it is there: patches that break up as they fade, and in
 // strong wind streaks along it. Blurred patterns count with their mean. The second value is the pattern itself, 0..1.
-vec2 foam_cover(vec2 p, float amount, float footprint, float streaky) {
+vec2 foam_cover(vec2 q, vec2 bend, float amount, float footprint, float streaky) {
   float streaking = streaky * 0.42 * smoothstep(11.0, 24.0, wave_axis.w);
   if (amount + streaking < 0.01) return vec2(0.0);
-  vec2 q = vec2(dot(p, pattern.xy), dot(p, vec2(-pattern.y, pattern.x))) + pattern.zw;
   float lod = max(log2(footprint * 256.0 / 24.0), 0.0);
   // gentle bends, so that neither streaks nor strands run straight and at even distances
-  vec2 bend = textureLod(foam_pattern, q / vec2(180.0, 60.0) + 0.2, 3.5).rg - 0.5;
-  float coarse = textureLod(foam_pattern, (q + 5.0 * bend) / vec2(18.0, 12.0), lod + 0.6).r;
-  float fine = textureLod(foam_pattern, q.yx / vec2(4.0, 6.0) + 0.3 + 0.1 * bend, lod + 1.8).r;
-  float bubbles = textureLod(foam_pattern, q / vec2(1.2, 0.9), lod + 3.8).r;
+  vec2 large = textureLod(foam_pattern, (q + 5.0 * bend) / vec2(36.0, 18.0), lod).rg;
+  vec2 small = textureLod(foam_pattern, q.yx / vec2(4.0, 6.0) + 0.3 + 0.1 * bend, lod + 1.8).rg;
+  float coarse = large.r, fine = small.r, bubbles = small.g;
   float grain = 0.45 * coarse + 0.37 * fine + 0.18 * bubbles;
   amount = clamp(amount, 0.0, 1.0);
   float blurred = smoothstep(1.5, 5.0, lod);
@@ -65,11 +69,9 @@ vec2 foam_cover(vec2 p, float amount, float footprint, float streaky) {
   float veil = amount * amount * (0.25 + 0.45 * fine);
   float cover = mix(1.0 - (1.0 - lace) * (1.0 - veil), amount * (0.25 + 0.6 * amount), blurred);
   if (streaking > 0.0) {
-    vec2 windrow = q + vec2(9.0, 7.0) * bend;
-    float thread = textureLod(foam_pattern, windrow / vec2(60.0, 15.0), lod).g;
     // they gather in some places and are frayed
     float gathered = smoothstep(-0.25, 0.3, bend.x);
-    float shown = 0.62 * thread + 0.23 * fine + 0.15 * coarse;
+    float shown = 0.62 * large.g + 0.23 * fine + 0.15 * coarse;
     cover += streaking * gathered * mix(smoothstep(0.66, 1.0, shown), 0.10, blurred) * (1.0 - cover);
   }
   return vec2(cover, mix(0.3 * coarse + 0.4 * fine + 0.3 * bubbles, 0.5, blurred));
@@ -118,7 +120,7 @@ vec3 film_reflectance(float thickness, float spread, float cosine) {
 
 // `churned` 0..1: how full of bubbles and how smooth a wake has left the water. `oil` 0..1: how much of the water is covered by thick oil. `film`: of the slick, `spread` as in film_reflectance().
 vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float churned, float oil, Film film, float spread, float height,
-                 vec2 uv, float behind_inverse) {
+                 vec2 uv, vec4 behind, float behind_inverse) {
   vec3 p = d / inverse;
   float distance_to = length(p);
   float footprint_across = 1.0 / (inverse * forward.w);
@@ -128,7 +130,8 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float churned, f
   float footprint = footprint_across / grazing;
   // Patterns are anchored in the world, and sheared by the height: else a steep face would show them as stripes.
   vec2 anchored = p.xy + 0.8 * (p.z - level.x) * wave_axis.xy;
-  Detail detail = short_waves(anchored, footprint);
+  vec2 place = in_pattern(anchored), drift = slow_pattern(place, footprint);
+  Detail detail = short_waves(anchored, footprint, drift);
   float opaque = 1.0 - exp(-film.thickness / 70.0);  // the oil's own colour, by Beer's law
   float calm = max(max(oil, smoothstep(0.01, 0.6, film.thickness)), 0.7 * churned);
   // on steep water the ripples' map is stretched; oil damps them
@@ -167,10 +170,11 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float churned, f
   // Hull or other bodies below the surface (Beer's law)
   if (behind_inverse > 0.0 && behind_inverse < inverse) {
     vec2 refracted = uv + bend * 0.04;
-    if (textureLod(opaque_inverse, refracted, 0.0).r > inverse) refracted = uv;
+    vec4 seen = textureLod(opaque_colour, refracted, 0.0);
+    if (seen.a < 0.5 || textureLod(opaque_inverse, refracted, 0.0).r > inverse * seen.a) seen = behind;
     float path = (1.0 / behind_inverse - 1.0 / inverse) * length(d);
     vec3 kept = exp(-path * vec3(0.75, 0.30, 0.24));
-    vec3 below = textureLod(opaque_colour, refracted, 0.0).rgb;
+    vec3 below = seen.rgb / max(seen.a, 1e-3);
     // the light comes down through the water as well
     body = mix(body, below * exp(-max(height - (d.z / behind_inverse - level.x), 0.0) * vec3(0.75, 0.30, 0.24)), kept);
   }
@@ -186,7 +190,7 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float churned, f
   float glint_variance = variance + 0.0025;
   float glint = exp(-0.5 * dot(miss, miss) / glint_variance) / (glint_variance * 4.0 * pow(max(halfway.z, 0.3), 4.0));
   colour += sun_here * sun.w * vec3(1.0, 0.9, 0.72) * sunlight.rgb * min(glint * 0.05 * fresnel / max(facing, 0.12), 6.0) * (1.0 - image.a);
-  vec2 white = foam_cover(anchored, foam + (1.0 - calm) * detail.foam, footprint, 1.0 - churned);
+  vec2 white = foam_cover(place, drift, foam + (1.0 - calm) * detail.foam, footprint, 1.0 - churned);
   // bubbles lie thick where the pattern is high, thin over dark water where it is low
   vec3 foam_colour = mix(vec3(0.56, 0.65, 0.69), vec3(0.84, 0.87, 0.88), smoothstep(0.15, 0.75, white.y)) * (0.42 * sunlight.w + 0.50 * sun_here * sun.w * sunlight.rgb * clamp(dot(n, sun.xyz), 0.0, 1.0));
   colour = mix(colour, foam_colour, 0.93 * white.x);
@@ -196,7 +200,8 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float churned, f
 void main() {
   vec2 uv = 0.5 * ndc + 0.5;
   vec3 d = ray_through(ndc);
-  float solid = textureLod(opaque_inverse, uv, 0.0).r;
+  vec4 body = textureLod(opaque_colour, uv, 0.0);
+  float solid = body.a > 0.0 ? textureLod(opaque_inverse, uv, 0.0).r / body.a : 0.0;
   vec4 surface = textureLod(water_surface, uv, 0.0), traits = textureLod(water_traits, uv, 0.0);
   float water = max(surface.x, 1e-5);
   vec2 place = d.xy / water;
@@ -209,10 +214,20 @@ void main() {
   spread = min(fwidth(film.thickness), 1e3);
 #endif
   float oil = traits.y, clean = (1.0 - oil) * exp(-film.thickness / 70.0);
+  vec2 slope = surface.yz;
+  float white = traits.z, churned = 0.0;
+#ifdef WITH_WAKE
   Wake wake = wake_at(place, level_step);
-  vec2 slope = surface.yz + (1.0 - traits.x) * wake.slope;  // in the patch the particles make the ship's waves
-  float foam = clean * (surface.w + max(traits.z, wake.foam));
-  vec3 colour = shade_water(d, water, slope, foam, clean * wake.churned, oil, film, spread, d.z / water - level.x, uv, solid);
+  slope += (1.0 - traits.x) * wake.slope;  // in the patch the particles make the ship's waves
+  white = max(white, wake.foam);
+  churned = clean * wake.churned;
+#endif
+  float foam = clean * (surface.w + white);
+  vec3 colour = shade_water(d, water, slope, foam, churned, oil, film, spread, d.z / water - level.x, uv, body, solid);
   colour = tone_map(colour);
+  if (solid > surface.x) {  // the edge of a body in front of the water
+    float haze = 1.0 - exp(-length(d) / (solid * level.z));
+    colour = mix(colour, tone_map(mix(body.rgb / body.a, haze_colour(d), haze)), body.a);
+  }
   picture = vec4(colour, dot(colour, vec3(0.299, 0.587, 0.114)));
 }

@@ -300,5 +300,24 @@ TEST(FileDigest, IsThatOfTheBytes) {
   EXPECT_EQ(file_digest(testing::TempDir()), 0U);
 }
 
+TEST(Mesh, DrawsALongBoxAsAQuay) {
+  const MeshData quay = draw_primitive(BoxShape{{60, 8, 9}}), buoy = draw_primitive(BoxShape{{2, 2, 2}});
+  EXPECT_EQ(buoy.triangle_count(), 12U);
+  EXPECT_GT(quay.triangle_count(), 500U);
+  EXPECT_NEAR(quay.high.x(), 30.0, 0.02) << "half a joint";
+  EXPECT_NEAR(quay.high.y(), 4.33, 1e-4) << "fenders";
+  EXPECT_NEAR(quay.low.z(), -4.5, 1e-4);
+  EXPECT_LT(quay.high.z(), 4.5 + 0.7) << "bollards";
+  const MeshData turned = draw_primitive(BoxShape{{8, 60, 9}});
+  EXPECT_EQ(turned.triangle_count(), quay.triangle_count());
+  EXPECT_NEAR(turned.high.y(), 30.0, 0.02);
+  EXPECT_LT(draw_primitive(BoxShape{{50'000, 8, 9}}).triangle_count(), 40'000U) << "bounded";
+  for (const MeshData::Vertex& vertex : turned.vertices) {  // turned, not mirrored: normals look outwards
+    if (vertex.position[1] > 29.99F && vertex.normal[1] != 0.0F) {
+      EXPECT_GT(vertex.normal[1], -1e-3F);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pelagos

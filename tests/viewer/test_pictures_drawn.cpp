@@ -207,6 +207,45 @@ TEST_F(Graphics, BodiesShadeTheWater) {
   EXPECT_NEAR(brightness(8.0, true), brightness(8.0, false), 1.0);
 }
 
+/// A white slanted plate before the water: pixels on its edge have colours between.
+TEST_F(Graphics, EdgesOfBodiesAreSmooth) {
+  const auto between = [](Quality quality) {
+    Renderer renderer({kWidth, kHeight, 32, quality, true, {}});
+    SceneInfo scene = synthetic_scene();
+    scene.sea = WaveField({}, 0.0);
+    renderer.set_scene(scene);
+    MeshData plate = draw_box({-0.1, -3, -3}, {0.1, 3, 3});
+    for (MeshData::Vertex& vertex : plate.vertices)
+      for (float& part : vertex.colour) part = 1.0F;
+    renderer.set_meshes({{1, std::make_shared<const MeshData>(plate)}});
+    BodyState body;
+    body.body = 1;
+    body.position = {30.0, 0.0, 4.0};
+    body.orientation = Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX());
+    Channel channel;
+    channel.mount.eye = {0.0, 0.0, 20.0};
+    channel.pitch_deg = -28.0;
+    channel.horizontal_fov_deg = 30.0;
+    channel.guard_px = 32;
+    SeaMoment moment;
+    moment.bodies = std::span(&body, 1);
+    renderer.draw(camera_for(channel, {}, kWidth, kHeight).value(), moment);
+    const Picture picture = renderer.read_picture();
+    const int inside = picture.at(kWidth / 2, kHeight / 2)[0], water = picture.at(10, 10)[0];
+    EXPECT_GT(inside, water + 60);
+    int count = 0;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        const int red = picture.at(x, y)[0];
+        count += red > water + (inside - water) / 4 && red < inside - (inside - water) / 4;
+      }
+    return count;
+  };
+  // Its edges are some 400 pixels long.
+  EXPECT_GT(between(Quality::kHigh), 100);
+  EXPECT_LT(between(Quality::kLow), 60);
+}
+
 TEST_F(Graphics, NightIsDarkAndFogHidesTheHorizon) {
   const Picture day = SyntheticSea(32).draw("port").picture;
   // 23:00 at the origin of the synthetic scene, latitude and longitude 0
