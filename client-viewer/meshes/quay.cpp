@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "meshes/coloured_parts.hpp"
 #include "waves/splitmix.hpp"
 
 namespace pelagos {
@@ -17,48 +18,19 @@ constexpr Colour kConcreteBlock = {0.36F, 0.35F, 0.32F}, kCopingStone = {0.45F, 
                  kGap = {0.10F, 0.10F, 0.09F}, kDeck = {0.20F, 0.20F, 0.19F}, kRubber = {0.018F, 0.018F, 0.02F},
                  kIron = {0.04F, 0.04F, 0.045F}, kYellow = {0.62F, 0.42F, 0.03F};
 
-/// Coloured parts of a mesh, in axes along and across the quay, its top at z = 0.
-class Parts {
- public:
-  /// @param along_y  whether the long side lies along y
-  Parts(bool along_y, double top) : along_y_(along_y), top_(top) {}
-
-  void add_box(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Colour& colour) {
-    add(make_mesh(BoxShape{high - low}), 0.5 * (low + high), colour);
-  }
-  void add(const TriangleMesh& part, const Eigen::Vector3d& place, const Colour& colour) {
-    const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
-    for (const Eigen::Vector3d& v : part.vertices) {
-      const Eigen::Vector3d p = v + place;
-      mesh_.vertices.push_back(along_y_ ? Eigen::Vector3d(-p.y(), p.x(), p.z() + top_)
-                                        : Eigen::Vector3d(p.x(), p.y(), p.z() + top_));
-    }
-    for (const auto& [a, b, c] : part.triangles) {
-      mesh_.triangles.push_back({a + first, b + first, c + first});
-      colours_.push_back(colour);
-    }
-  }
-  [[nodiscard]] MeshData done() const { return shade(mesh_, colours_); }
-
- private:
-  TriangleMesh mesh_;
-  std::vector<Colour> colours_;
-  bool along_y_;
-  double top_;
-};
-
 Colour scaled(const Colour& colour, double by) {
   const auto share = static_cast<float>(by);
   return {share * colour[0], share * colour[1], share * colour[2]};
 }
 
+/// In axes along and across, its top at z = 0.
 struct Quay {
   double half_length, half_width, height;  // m
   double block;                            // m, of one
   int blocks;
 };
 
-void add_blocks(const Quay& quay, Parts& parts) {
+void add_blocks(const Quay& quay, ColouredParts& parts) {
   SplitMix64 random(17);
   parts.add_box({-quay.half_length + 0.1, -quay.half_width + 0.1, -quay.height},
                 {quay.half_length - 0.1, quay.half_width - 0.1, -0.5 * kCoping}, kGap);
@@ -72,7 +44,7 @@ void add_blocks(const Quay& quay, Parts& parts) {
   }
 }
 
-void add_top(const Quay& quay, Parts& parts) {
+void add_top(const Quay& quay, ColouredParts& parts) {
   const double edge = std::min(1.1, 0.35 * quay.half_width), line = edge - 0.12;
   parts.add_box({-quay.half_length + edge, -quay.half_width + edge, -0.2},
                 {quay.half_length - edge, quay.half_width - edge, 0.03}, kDeck);
@@ -89,7 +61,7 @@ void add_top(const Quay& quay, Parts& parts) {
     }
 }
 
-void add_sides(const Quay& quay, Parts& parts) {
+void add_sides(const Quay& quay, ColouredParts& parts) {
   const double deep = std::min(3.4, quay.height - 0.1);
   for (const double side : {-1.0, 1.0}) {
     const auto box = [&](double along, double wide, double out, double from, double to, const Colour& colour) {
@@ -119,10 +91,12 @@ MeshData draw_quay(const BoxShape& box) {
   const double length = std::max(box.size.x(), box.size.y()), width = std::min(box.size.x(), box.size.y());
   const int blocks = std::clamp(static_cast<int>(std::lround(length / kBlock)), 1, kMostBlocks);
   const Quay quay{0.5 * length, 0.5 * width, box.size.z(), length / blocks, blocks};
-  Parts parts(along_y, 0.5 * box.size.z());
+  ColouredParts parts;
   add_blocks(quay, parts);
   add_top(quay, parts);
   add_sides(quay, parts);
+  parts.move({0.0, 0.0, 0.5 * box.size.z()});
+  if (along_y) parts.turn();
   return parts.done();
 }
 

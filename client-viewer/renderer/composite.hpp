@@ -24,6 +24,7 @@ class CompositePass {
                const DetailTextures& detail, const SlickMap* slick, bool wake);
   void draw_spray(std::span<const DrawnParticle> drops, const DetailTextures& detail);
   void finish();
+  [[nodiscard]] const Framebuffer& unfinished() const { return spray_target_; }  ///< the picture before finish()
 
   [[nodiscard]] const Texture& picture() const { return smooth_edges_ ? smoothed_ : picture_; }
   [[nodiscard]] GLuint picture_framebuffer() const { return (smooth_edges_ ? smooth_target_ : spray_target_).id(); }

@@ -29,6 +29,9 @@ class FarSeaPass {
   /// @param carried_by_patch  waves longer than this (m) are the simulation's own inside the patch
   void draw(const Camera& camera, double height, const WaveMoment& waves, double carried_by_patch);
 
+  /// No sea at all.
+  void leave_out() { target_.begin_solids(); }
+
   /// What grid_cell() of the shaders needs for an eye at that height, m: coarseness, the height that the grid is for,
   /// angle between two sectors (rad).
   [[nodiscard]] Eigen::Vector3d grid_for(double height) const;

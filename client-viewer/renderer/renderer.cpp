@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "meshes/tank.hpp"
 #include "renderer/bow_spray.hpp"
 #include "renderer/composite.hpp"
 #include "renderer/detail_textures.hpp"
@@ -12,6 +13,7 @@
 #include "renderer/fluid.hpp"
 #include "renderer/foam_layer.hpp"
 #include "renderer/gl_objects.hpp"
+#include "renderer/glass.hpp"
 #include "renderer/loose_water.hpp"
 #include "renderer/mesh.hpp"
 #include "renderer/moving_hulls.hpp"
@@ -28,6 +30,8 @@ namespace pelagos {
 namespace {
 
 constexpr GLuint kSkyUnit = 5, kShadowUnit = 12, kFoamUnit = 13;  // of textures, in opaque.frag and water.frag
+constexpr double kOpenWater = 40.0;                               // m: short waves of a narrower tank are smaller
+constexpr double kFreeboard = 1.5;                                // m, of a tank's concrete walls
 constexpr double kLeastSpeed = 0.5;                               // m/s: slower hulls have no wake
 constexpr float kSprayThreshold = 0.5F;
 constexpr float kLooseSpray = 0.75F;  // strength of the spray of clumps, whose particles have neighbours
@@ -207,6 +211,8 @@ struct Renderer::State {
   FoamMap foam;
   FoamLayer foam_layer;
   BowSpray bow_spray;
+  std::unique_ptr<Mesh> tank;  ///< null: its walls are not visible
+  std::unique_ptr<GlassPass> glass;
   std::unique_ptr<SlickMap> slick_map;  ///< from the first slick on
   SlickPlace slick_place;               ///< of the map as drawn
   SceneInfo scene;
@@ -275,6 +281,7 @@ std::vector<PlacedMesh> Renderer::State::place_bodies(const Camera& camera, cons
     placed.push_back(
         {mesh->second, (body.position - camera.eye).cast<float>(), body.orientation.toRotationMatrix().cast<float>()});
   }
+  if (tank) placed.push_back({tank.get(), (scene.patch.min - camera.eye).cast<float>(), Eigen::Matrix3f::Identity()});
   return placed;
 }
 
@@ -360,12 +367,15 @@ ViewBlock Renderer::State::view_block(const Camera& camera, const SeaMoment& mom
   const double narrow = scene.patch.size().head<2>().minCoeff();
   const bool present = !moment.particles.empty() && narrow > 0.0;
   const PatchBlend blend = rim_blend(spacing, narrow);
-  block.patch_blend = vector4(present ? 1 : 0, blend.start, blend.full, std::max(folding_of(waves), 1e-6));
+  // Up to walls that are visible the water is all the particles'.
+  const double start = tank ? -2e4 : blend.start, full = tank ? -1e4 : blend.full;
+  block.patch_blend = vector4(present ? 1 : 0, start, full, std::max(folding_of(waves), 1e-6));
   block.sun = vector4(light.sun, light.sun_strength);
   block.sunlight = vector4(light.sun_colour, light.daylight);
   const ShadowPlace shade = shadow_place(frame.bodies, light.sun, shadow_texels(settings.quality));
   block.shadow = {shade.u.cast<float>(), shade.v.cast<float>(), vector4(shade.bias, shade.middle, shade.scale, 0)};
-  block.weather = vector4(light.clouds, light.visibility, 0, 0);
+  const double ripples = tank ? std::clamp(narrow / kOpenWater, 0.05, 1.0) : 1.0;
+  block.weather = vector4(light.clouds, light.visibility, ripples, 0);
   const Eigen::Vector2d axis = main_direction(waves.waves);
   block.wave_axis = vector4(axis.x(), axis.y(), mean_square_slope(wind.norm()), wind.norm());
   const Eigen::Vector2d streaks = streak_axis(wind), across(-streaks.y(), streaks.x()), eye = camera.eye.head<2>();
@@ -401,6 +411,11 @@ void Renderer::set_scene(const SceneInfo& scene) {
   if (scene.seed != state_->scene.seed) state_->short_waves = ShortWaves(scene.seed);
   state_->scene = scene;
   state_->sea = scene.sea;
+  const Eigen::Vector3d size = scene.patch.size();
+  const bool walls = scene.tank_walls_visible && (size.array() > 0.0).all();
+  const double wall = std::min(size.z(), scene.water_level - scene.patch.min.z() + kFreeboard);
+  state_->tank = walls ? std::make_unique<Mesh>(draw_tank(size, wall)) : nullptr;
+  state_->glass = walls && has_glass_walls(size) ? std::make_unique<GlassPass>() : nullptr;
 }
 
 void Renderer::set_meshes(const BodyMeshes& meshes) {
@@ -448,7 +463,10 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   s.short_waves.evaluate(moment.time);
   s.short_sea.upload(s.short_waves);
   const double height = camera.eye.z() - s.scene.water_level;
-  s.far_sea.draw(camera, height, frame.waves, 10.0 * s.scene.particle_spacing);
+  if (s.tank)
+    s.far_sea.leave_out();
+  else
+    s.far_sea.draw(camera, height, frame.waves, 10.0 * s.scene.particle_spacing);
   pass_done();
   s.bow_spray.advance(moment.time, frame.hulls);
   s.gather(camera, moment, frame);
@@ -460,6 +478,11 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
                       s.foam.present() || block.fluid.z() > 0.0F);
   pass_done();
   s.composite.draw_spray(s.drops, s.detail);
+  if (s.glass) {
+    const Eigen::Vector3f low = (s.scene.patch.min - camera.eye).cast<float>(),
+                          high = (s.scene.patch.max - camera.eye).cast<float>();
+    s.glass->draw(low, high, s.composite.unfinished(), s.composite.inverse_depth());
+  }
   s.composite.finish();
   pass_done();
   check_graphics("a frame");

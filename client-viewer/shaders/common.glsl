@@ -15,7 +15,7 @@ layout(std140, binding = 0) uniform View {
                        // standard deviation of the folding
   vec4 sun;            // direction to the sun; w: strength of its direct light
   vec4 sunlight;       // colour of that light; w: daylight, 1 by day, 0.05 at night
-  vec4 weather;        // clouds 0..1; visibility (m); unused
+  vec4 weather;        // clouds 0..1; visibility (m); size of short waves, 1 on open water
   vec4 wave_axis;      // main direction of the waves x, y; slope variance of all short waves; wind speed (m/s)
   vec4 pattern;        // axis of foam streaks x, y; the eye in axes along and across it, modulo the patterns' period
   vec4 sea_grid;       // of the far sea: coarseness, height of the eye that it is for, 2 pi / sectors; slope variance of

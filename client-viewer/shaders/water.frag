@@ -43,6 +43,8 @@ Detail short_waves(vec2 p, float footprint, vec2 drift) {
     detail.variance += size * size * max(texel.z - dot(texel.xy, texel.xy), 0.0);
     detail.foam = max(detail.foam, texel.w * (i == 0 ? smoothstep(1.0, 4.0, cell) : 0.22));
   }
+  detail.slope *= weather.z;
+  detail.variance *= weather.z * weather.z;
   return detail;
 }
 

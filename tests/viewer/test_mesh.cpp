@@ -13,6 +13,7 @@
 #include "../support/places.hpp"
 #include "meshes/body_mesh.hpp"
 #include "meshes/mesh_loader.hpp"
+#include "meshes/tank.hpp"
 #include "shapes/file_digest.hpp"
 
 namespace pelagos {
@@ -317,6 +318,25 @@ TEST(Mesh, DrawsALongBoxAsAQuay) {
       EXPECT_GT(vertex.normal[1], -1e-3F);
     }
   }
+}
+
+TEST(Mesh, DrawsATankBySize) {
+  const auto rises_inside = [](const MeshData& mesh, const Eigen::Vector3d& size) {
+    for (const MeshData::Vertex& v : mesh.vertices)
+      if (v.position[2] > 1e-4F && v.position[0] > 1e-4F && static_cast<double>(v.position[0]) < size.x() - 1e-4 &&
+          v.position[1] > 1e-4F && static_cast<double>(v.position[1]) < size.y() - 1e-4)
+        return true;
+    return false;
+  };
+  const Eigen::Vector3d small(5, 3, 2), large(60, 30, 8);
+  EXPECT_TRUE(has_glass_walls(small));
+  EXPECT_FALSE(has_glass_walls(large));
+  const MeshData glass = draw_tank(small, 1.5), concrete = draw_tank(large, 6.5);
+  EXPECT_NEAR(glass.high.z(), 2.0, 1e-6) << "the frame goes up to the top";
+  EXPECT_NEAR(concrete.high.z(), 6.5, 1e-6);
+  EXPECT_FALSE(rises_inside(glass, small)) << "nothing stands where the water is";
+  EXPECT_FALSE(rises_inside(concrete, large));
+  EXPECT_LT(draw_tank({5, 1e5, 2}, 1).triangle_count(), 10'000U);
 }
 
 }  // namespace

@@ -246,6 +246,55 @@ TEST_F(Graphics, EdgesOfBodiesAreSmooth) {
   EXPECT_LT(between(Quality::kLow), 60);
 }
 
+/// A tank of 5 m by 3 m with half a metre of water, from the corner.
+Drawn draw_tank_of_water(bool walls_visible, bool water) {
+  Renderer renderer({kWidth, kHeight, 32, Quality::kMedium, true, {}});
+  SceneInfo scene = synthetic_scene();
+  scene.bodies.clear();
+  scene.particle_spacing = 0.1;
+  scene.patch = {{0, 0, 0}, {5, 3, 2}};
+  scene.water_level = 0.5;
+  scene.sea = WaveField({}, 0.5);
+  scene.tank_walls_visible = walls_visible;
+  renderer.set_scene(scene);
+  OceanFrame frame;
+  for (double x = 0.05; x < 5.0; x += 0.1)
+    for (double y = 0.05; water && y < 3.0; y += 0.1) {
+      SurfaceParticle particle;
+      particle.position = Eigen::Vector3d(x - 2.5, y - 1.5, 0.45).cast<float>();
+      particle.semi_axes = {0.095F, 0.095F, 0.07F};
+      frame.particles.push_back(particle);
+    }
+  Channel channel;
+  channel.mount.eye = {-2.5, -2.5, 3.0};
+  channel.yaw_deg = -45.0;
+  channel.pitch_deg = -22.0;
+  channel.horizontal_fov_deg = 70.0;
+  channel.guard_px = 32;
+  SeaMoment moment;
+  moment.origin = {2.5, 1.5, 0.0};
+  moment.particles = frame.particles;
+  renderer.draw(camera_for(channel, {}, kWidth, kHeight).value(), moment);
+  return {renderer.read_picture(), renderer.read_depth()};
+}
+
+TEST_F(Graphics, WallsThatAreVisibleStandOnTheGround) {
+  const Drawn full = draw_tank_of_water(true, true), empty = draw_tank_of_water(true, false),
+              sea = draw_tank_of_water(false, true);
+  const auto blueness = [](const Picture& picture, int x, int y) { return picture.at(x, y)[2] - picture.at(x, y)[0]; };
+  EXPECT_GT(blueness(sea.picture, 20, kHeight - 10), 20) << "a sea lies around a patch without walls";
+  EXPECT_LT(blueness(full.picture, 20, kHeight - 10), 15) << "ground lies around a tank";
+  int changed = 0, wet = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const auto at = static_cast<std::size_t>((kHeight - 1 - y) * kWidth + x);
+      changed += full.depth[at] > 0.0F && std::abs(full.depth[at] / std::max(empty.depth[at], 1e-6F) - 1.0F) > 0.02F;
+      wet += blueness(full.picture, x, y) > blueness(empty.picture, x, y) + 4;
+    }
+  EXPECT_GT(changed, 2000) << "the water covers the floor, up to the walls";
+  EXPECT_GT(wet, changed / 3);
+}
+
 TEST_F(Graphics, NightIsDarkAndFogHidesTheHorizon) {
   const Picture day = SyntheticSea(32).draw("port").picture;
   // 23:00 at the origin of the synthetic scene, latitude and longitude 0
