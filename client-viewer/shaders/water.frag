@@ -67,7 +67,7 @@ vec2 foam_cover(vec2 q, vec2 bend, float amount, float footprint, float streaky)
   amount = clamp(amount, 0.0, 1.0);
   float blurred = smoothstep(1.5, 5.0, lod);
   // strands that thin out to lace, over a veil of small bubbles
-  float lace = smoothstep(0.95 - 0.85 * amount, 1.30 - 0.85 * amount, grain) * min(1.0, 0.30 + 1.0 * amount);
+  float lace = smoothstep(0.95 - 1.05 * amount, 1.32 - 1.05 * amount, grain) * min(1.0, 0.30 + 1.0 * amount);
   float veil = amount * amount * (0.25 + 0.45 * fine);
   float cover = mix(1.0 - (1.0 - lace) * (1.0 - veil), amount * (0.25 + 0.6 * amount), blurred);
   if (streaking > 0.0) {
@@ -133,6 +133,7 @@ vec3 shade_water(vec3 d, float inverse, vec2 slope, float foam, float churned, f
   // Patterns are anchored in the world, and sheared by the height: else a steep face would show them as stripes.
   vec2 anchored = p.xy + 0.8 * (p.z - level.x) * wave_axis.xy;
   vec2 place = in_pattern(anchored), drift = slow_pattern(place, footprint);
+  churned *= clamp(0.85 + 0.9 * drift.x + 0.6 * drift.y, 0.3, 1.0);  // bubbles are not spread evenly
   Detail detail = short_waves(anchored, footprint, drift);
   float opaque = 1.0 - exp(-film.thickness / 70.0);  // the oil's own colour, by Beer's law
   float calm = max(max(oil, smoothstep(0.01, 0.6, film.thickness)), 0.7 * churned);
