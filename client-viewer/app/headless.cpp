@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kStatusWait = 2.0;      // s
 constexpr double kClockWait = 2.0;       // s
 constexpr double kMeshWait = 20.0;       // s
-constexpr double kSpareForecast = 2e-3;  // s, for the end of a wait
+constexpr double kSpareForecast = 8e-3;  // s, for a machine with other work
 // s, ahead of what is known: a forecast beyond delay and this would ask for instants after the schedule's limit.
 constexpr double kLongestAhead = 0.1;
 

@@ -236,7 +236,7 @@ void SimulationLoop::submit_frame(std::unique_ptr<Snapshot> snapshot) {
   ++frames_filled_;
   const ClockStamp now = stamp_now();
   snapshot->wall_time_ns = now.utc_ns;
-  tell_schedule(schedule_.add_frame(now, snapshot->simulation_time));
+  snapshot->schedule = schedule_.add_frame(now, snapshot->simulation_time);
   status_.published_particles = static_cast<std::uint32_t>(snapshot->particles.size());
   if (snapshot->oil) status_.oil = snapshot->oil->budget;
   snapshot->status = status_;

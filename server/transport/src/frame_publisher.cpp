@@ -92,6 +92,7 @@ class FramePublisher::Implementation {
       snapshot->particles.clear();
       snapshot->bodies.clear();
       snapshot->loads.clear();
+      snapshot->schedule.reset();
       return snapshot;
     }
     return std::make_unique<Snapshot>();
@@ -222,7 +223,7 @@ class FramePublisher::Implementation {
       count_write(event_writer_.write(&sample), "event");
     }
     if (work.sea) publish_now(*work.sea);
-    if (work.schedule) publish_now(*work.schedule);
+    publish_schedules(work);
     if (work.snapshot) publish_frame(*work.snapshot, work.particle_spacing);
     if (work.snapshot) publish_loads(*work.snapshot);
     if (work.snapshot) publish_probes(*work.snapshot);
@@ -232,6 +233,15 @@ class FramePublisher::Implementation {
     } else if (work.snapshot && is_due(work.snapshot->status)) {
       publish_status(work.snapshot->status);
     }
+  }
+
+  /// In the order of their moments; of one moment that of the frame first, which the other one changes.
+  void publish_schedules(const Work& work) {
+    const SchedulePiece* of_frame = work.snapshot && work.snapshot->schedule ? &*work.snapshot->schedule : nullptr;
+    const SchedulePiece* other = work.schedule ? &*work.schedule : nullptr;
+    if (of_frame != nullptr && other != nullptr && other->clock_ns < of_frame->clock_ns) std::swap(of_frame, other);
+    if (of_frame != nullptr) publish_now(*of_frame);
+    if (other != nullptr) publish_now(*other);
   }
 
   void publish_now(const WaveField& sea) {

@@ -72,7 +72,7 @@ class FramePublisher {
   /// Queued; goes out before the next frame. Only the newest counts. For viewers that come at any time.
   void publish_sea(const WaveField& sea);
 
-  /// Queued; goes out before the next frame. Only the newest counts. For viewers that come at any time.
+  /// A piece that no frame made, as of a pause. Queued; only the newest counts. For viewers that come at any time.
   void publish_schedule(const SchedulePiece& piece);
 
   [[nodiscard]] std::uint64_t source() const;
