@@ -112,6 +112,19 @@ TEST_F(Clock, FramesKnowWhenTheyWereCompleted) {
   EXPECT_EQ(frame->completed_ns, piece.clock_ns + 7 * kMs);
 }
 
+TEST_F(Clock, AFrameBringsThePieceThatItMade) {
+  start_with_clock();
+  auto snapshot = test_snapshot(*publisher_, 1, 10);
+  const ClockStamp now = LocalClocks{}.now();
+  snapshot->schedule = SchedulePiece{1, now.clock_ns + kAhead, now.utc_ns, 40.0, 0.0, 40.0};
+  publisher_->submit(std::move(snapshot));
+  EXPECT_TRUE(eventually([&] {
+    const auto due = receiver_->due_at(steady_ns());
+    return due && due->clock == ViewerClock::kMeasured && due->scheduled.time == 40.0;
+  }));
+  EXPECT_FALSE(publisher_->acquire()->schedule) << "a snapshot that is used again has none";
+}
+
 TEST_F(Clock, FramesWaitInTheirOrder) {
   start();
   for (std::uint64_t number = 1; number <= 3; ++number) {
