@@ -19,6 +19,7 @@ struct Widening {
 };
 constexpr std::array<Widening, 4> kWidenings = {{{0.0, 0.72}, {3.0, 0.95}, {10.0, 1.3}, {30.0, 1.8}}};
 constexpr double kAssumedPast = 150.0, kAssumedStep = 0.4;  // s
+constexpr double kLongestHull = 300.0, kWidestHull = 40.0;  // m, half of it
 constexpr float kLeastFoam = 0.16F;                         // of a particle
 
 using Area = FoamLevel::Area;
@@ -33,6 +34,16 @@ Area area_of(const FoamLevel& level, const Eigen::Vector2d& low, const Eigen::Ve
         std::min(level.first[axis] + kSide, static_cast<std::int64_t>(std::floor(high[i] / level.texel)) + 1);
   }
   return area;
+}
+
+/// The texels of a row of `area` that lie within `reach` (m) of a line through `from` along the unit vector `along`.
+std::pair<std::int64_t, std::int64_t> across_row(const FoamLevel& level, const Area& area, const Eigen::Vector2d& from,
+                                                 const Eigen::Vector2d& along, double reach, std::int64_t y) {
+  if (std::abs(along.y()) < 1e-3) return {area.low[0], area.high[0]};
+  const double up = (static_cast<double>(y) + 0.5) * level.texel - from.y();
+  const double middle = from.x() + along.x() * up / along.y(), half = reach / std::abs(along.y());
+  const auto index = [&](double x) { return static_cast<std::int64_t>(std::floor(x / level.texel)); };
+  return {std::max(area.low[0], index(middle - half)), std::min(area.high[0], index(middle + half) + 1)};
 }
 
 void mark(FoamLevel& level, const Area& area) {
@@ -81,6 +92,27 @@ MovingHull between(const MovingHull& a, const MovingHull& b, double share) {
   return hull;
 }
 
+namespace {
+
+/// The nearest, at most kMostHulls, with sizes of ships.
+std::vector<MovingHull> nearest(std::span<const MovingHull> all, const Eigen::Vector2d& eye) {
+  std::vector<MovingHull> hulls(all.begin(), all.end());
+  if (hulls.size() > FoamMap::kMostHulls) {
+    const auto end = hulls.begin() + FoamMap::kMostHulls;
+    std::nth_element(hulls.begin(), end, hulls.end(), [&](const MovingHull& a, const MovingHull& b) {
+      return (a.place - eye).squaredNorm() < (b.place - eye).squaredNorm();
+    });
+    hulls.erase(end, hulls.end());
+  }
+  for (MovingHull& hull : hulls) {
+    hull.half_length = std::min(hull.half_length, kLongestHull);
+    hull.half_beam = std::min(hull.half_beam, kWidestHull);
+  }
+  return hulls;
+}
+
+}  // namespace
+
 double wash_of(double speed) { return 1.0 - std::exp(-std::pow(speed / kWashSpeed, 2)); }
 
 FoamMap::FoamMap() {
@@ -127,7 +159,8 @@ void FoamMap::renew_reference(double time) {
 }
 
 void FoamMap::advance(double time, const Eigen::Vector2d& eye, const Eigen::Vector2d& flow,
-                      std::span<const MovingHull> hulls, const PatchFoam& patch) {
+                      std::span<const MovingHull> all_hulls, const PatchFoam& patch) {
+  const std::vector<MovingHull> hulls = nearest(all_hulls, eye);
   if (!started_ || time < shown_ - 1.0 || time > shown_ + kLongestGap) restart(time, flow);
   renew_reference(time);
   move_window(eye);
@@ -252,8 +285,9 @@ void FoamMap::lay(FoamLevel& level, const Band& band) {
   const double length = step.norm(), beyond = std::max(0.5 * length, level.texel);
   const Eigen::Vector2d along = length > 1e-9 ? Eigen::Vector2d(step / length) : Eigen::Vector2d::UnitX();
   const Eigen::Vector2d grown = faded(band.time).cwiseInverse();
-  for (std::int64_t y = area.low[1]; y < area.high[1]; ++y)
-    for (std::int64_t x = area.low[0]; x < area.high[0]; ++x) {
+  for (std::int64_t y = area.low[1]; y < area.high[1]; ++y) {
+    const auto [first, last] = across_row(level, area, band.from, along, reach, y);
+    for (std::int64_t x = first; x < last; ++x) {
       const Eigen::Vector2d offset = middle_of(level, x, y) - band.from;
       const double on = offset.dot(along), past = std::max(std::max(-on, on - length), 0.0);
       if (past > beyond) continue;
@@ -266,6 +300,7 @@ void FoamMap::lay(FoamLevel& level, const Band& band) {
       texel.white = std::max(texel.white, static_cast<float>(grown.x() * (band.white * core + rim)));
       texel.churned = std::max(texel.churned, static_cast<float>(grown.y() * band.churned * core));
     }
+  }
   mark(level, area);
   present_ = true;
 }

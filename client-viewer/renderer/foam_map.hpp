@@ -73,6 +73,8 @@ class FoamMap {
   static constexpr double kFadeWhite = 40.0, kFadeChurned = 100.0;  ///< s, to 1 / e
   static constexpr double kLongestGap = 5.0;  ///< s: a longer one between two instants starts anew
 
+  static constexpr std::ptrdiff_t kMostHulls = 32;  ///< the nearest to the eye
+
   FoamMap();
 
   /// Goes on to an instant, which may be the last one again. An instant more than a second earlier, or one more than

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -201,6 +202,22 @@ TEST(FoamMap, TellsWhatHasChanged) {
   ASSERT_FALSE(area.empty());
   EXPECT_LT(area.high[0] - area.low[0], 120);
   EXPECT_TRUE(map.take_changed(0).empty());
+}
+
+TEST(FoamMap, IsBoundedForFleetsAndHugeHulls) {
+  std::vector<MovingHull> fleet;
+  for (std::uint32_t i = 0; i < 2000; ++i) {
+    fleet.push_back(coaster({3.0 * i, 1.0 * i}, 30.0));
+    fleet.back().body = i;
+    fleet.back().half_length = i % 2 == 0 ? 1e6 : 150.0;
+    fleet.back().half_beam = i % 2 == 0 ? 1e6 : 25.0;
+    fleet.back().way = Eigen::Vector2d(1.0, 0.1 * i).normalized();
+  }
+  const auto start = std::chrono::steady_clock::now();
+  FoamMap map;
+  for (double time = 0.0; time < 1.0; time += 0.1) map.advance(time, kStill, kStill, fleet, {});
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20)) << "without a bound it takes minutes";
+  EXPECT_TRUE(map.present());
 }
 
 }  // namespace
