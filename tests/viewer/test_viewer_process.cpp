@@ -216,6 +216,10 @@ TEST_F(ViewerProcess, RefusesWhatItCannotUse) {
     EXPECT_EQ(ChildProcess(command({"--channel", "port", "--utc", utc})).wait_for_end(), 2) << utc;
   EXPECT_EQ(ChildProcess(command({"--channel", "port", "--cloud", "9"})).wait_for_end(), 2);
   EXPECT_EQ(ChildProcess(command({"--channel", "port", "--visibility", "0"})).wait_for_end(), 2);
+  EXPECT_EQ(ChildProcess(command({"--channel", "port", "--delay", "-1"})).wait_for_end(), 2);
+  EXPECT_EQ(ChildProcess(command({"--channel", "port", "--delay", "nan"})).wait_for_end(), 2);
+  EXPECT_EQ(ChildProcess(command({"--channel", "port", "--clock", "ntp"})).wait_for_end(), 2);
+  EXPECT_EQ(ChildProcess(command({"--channel", "port", "--rate", "0"})).wait_for_end(), 2);
   EXPECT_EQ(ChildProcess({PELAGOS_VIEWER}).wait_for_end(), 2);
   EXPECT_EQ(ChildProcess({PELAGOS_VIEWER, "--version"}).wait_for_end(), 0);
   EXPECT_EQ(ChildProcess({PELAGOS_VIEWER, "--help"}).wait_for_end(), 0);
