@@ -40,34 +40,14 @@ std::vector<float> random_lattice(std::uint64_t seed) {
   return lattice;
 }
 
-/// Threads along x: noise that is fine across them, bent a little, and thick in some places.
-std::vector<float> make_threads() {
-  const std::vector<float> lattice = random_lattice(29);
-  std::vector<float> pattern(kTile * kTile);
-  for (int y = 0; y < kTile; ++y)
-    for (int x = 0; x < kTile; ++x) {
-      const float u = static_cast<float>(x) / kTile, v = static_cast<float>(y) / kTile;
-      const float bent = v + 0.03F * (tiling_noise(lattice, 3, 3, u, v) - 0.5F);
-      float sum = 0.5F * tiling_noise(lattice, 3, 3, v, u), weight = 0.6F;
-      for (int cells = 12; cells <= 48; cells *= 2) {
-        const float noise = tiling_noise(lattice, cells / 6, cells, u, bent);
-        sum += weight * (1.0F - std::abs(2.0F * noise - 1.0F));
-        weight *= 0.6F;
-      }
-      pattern[static_cast<std::size_t>(y * kTile + x)] = sum;
-    }
-  spread_evenly(pattern);
-  return pattern;
-}
-
-/// How close a place is to a border between cells about random points, `cells` of them a side, 0..1 (Worley 1996).
-float cell_borders(const std::vector<float>& lattice, int cells, float u, float v) {
-  const float x = u * static_cast<float>(cells), y = v * static_cast<float>(cells);
+/// How close a place is to a border between cells about random points, 0..1 (Worley 1996); `across` times `up` cells.
+float cell_borders(const std::vector<float>& lattice, int across, int up, float u, float v) {
+  const float x = u * static_cast<float>(across), y = v * static_cast<float>(up);
   const int ix = static_cast<int>(std::floor(x)), iy = static_cast<int>(std::floor(y));
   float first = 9.0F, second = 9.0F;  // squares of the distances to the two nearest points
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx) {
-      const int cx = (ix + dx + cells) % cells, cy = (iy + dy + cells) % cells;
+      const int cx = (ix + dx + across) % across, cy = (iy + dy + up) % up;
       const float px = static_cast<float>(ix + dx) + lattice[static_cast<std::size_t>(cy * 64 + cx)];
       const float py = static_cast<float>(iy + dy) + lattice[static_cast<std::size_t>((63 - cx) * 64 + cy)];
       const float square = (px - x) * (px - x) + (py - y) * (py - y);
@@ -75,6 +55,26 @@ float cell_borders(const std::vector<float>& lattice, int cells, float u, float 
       first = std::min(first, square);
     }
   return std::max(1.0F - 1.4F * (std::sqrt(second) - std::sqrt(first)), 0.0F);
+}
+
+/// Threads along x: borders of long cells, bent a little, and thick in some places.
+std::vector<float> make_threads() {
+  const std::vector<float> lattice = random_lattice(29);
+  std::vector<float> pattern(kTile * kTile);
+  for (int y = 0; y < kTile; ++y)
+    for (int x = 0; x < kTile; ++x) {
+      const float u = static_cast<float>(x) / kTile, v = static_cast<float>(y) / kTile;
+      const float bent =
+          v + 0.04F * (tiling_noise(lattice, 3, 3, u, v) - 0.5F) + 0.015F * (tiling_noise(lattice, 9, 9, u, v) - 0.5F);
+      float sum = 0.5F * tiling_noise(lattice, 3, 3, v, u), weight = 0.6F;
+      for (int cells = 14; cells <= 56; cells *= 2) {
+        sum += weight * cell_borders(lattice, cells / 7, cells, u, bent - std::floor(bent));
+        weight *= 0.6F;
+      }
+      pattern[static_cast<std::size_t>(y * kTile + x)] = sum;
+    }
+  spread_evenly(pattern);
+  return pattern;
 }
 
 /// Strands and holes: borders of warped cells over three octaves, spread evenly over 0..1.
@@ -90,7 +90,7 @@ std::vector<float> make_strands() {
           v + 0.06F * (tiling_noise(lattice, 7, 7, v, u) - 0.5F) + 0.02F * tiling_noise(lattice, 25, 25, v, u);
       float sum = 0.45F * tiling_noise(lattice, 5, 5, wu, wv), weight = 0.5F;
       for (const int cells : {11, 23, 45}) {
-        sum += weight * cell_borders(lattice, cells, wu - std::floor(wu), wv - std::floor(wv));
+        sum += weight * cell_borders(lattice, cells, cells, wu - std::floor(wu), wv - std::floor(wv));
         weight *= 0.6F;
       }
       pattern[static_cast<std::size_t>(y * kTile + x)] = sum;
