@@ -111,7 +111,7 @@ TEST_F(SavedStates, AreRefusedWhereTheyDoNotFit) {
   expect_refused("changed.state", "its checksum is wrong");
   std::ofstream(path("empty.state"));
   expect_refused("empty.state", "allowed: a file that --save-state has written");
-  expect_refused("missing.state", "No such file");
+  expect_refused("missing.state", "no such state file");
   std::string scene = kScene;
   scene.replace(scene.find("max { x: 16"), 11, "max { x: 17");
   std::ofstream(path("other.scene")) << scene;

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -14,6 +13,7 @@
 #include "command_line/stop_signals.hpp"
 #include "control/endpoint.hpp"
 #include "files/asset_folder.hpp"
+#include "files/input_file.hpp"
 #include "files/output_file.hpp"
 #include "machine.hpp"
 #include "run_report.hpp"
@@ -92,18 +92,16 @@ bool try_outputs(const Arguments& arguments) {
 
 /// Reads the state that the run goes on from; false if it cannot be read (said).
 bool read_state(Arguments& arguments) {
-  constexpr std::uintmax_t kLargestState = std::uintmax_t{4} << 30;  // bytes
+  constexpr std::size_t kLargestState = std::size_t{4} << 30;  // bytes
   if (arguments.state_file.empty()) return true;
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(arguments.state_file, error);
-  std::ifstream in(arguments.state_file, std::ios::binary);
-  std::string& bytes = arguments.options.start_state;
-  if (!error && size > 0 && size <= kLargestState) {
-    bytes.resize(size);
-    if (in.read(bytes.data(), static_cast<std::streamsize>(size))) return true;
+  InputFile file = read_input_file(arguments.state_file, "state", kLargestState);
+  if (file.fault.empty() && file.bytes.empty()) file.fault = "is empty";
+  if (file.fault.empty() && file.bytes.size() > kLargestState) file.fault = "has more than 4 GiB";
+  if (file.fault.empty()) {
+    arguments.options.start_state = std::move(file.bytes);
+    return true;
   }
-  const std::string what = error ? error.message() : "has " + std::to_string(size) + " bytes, or cannot be read";
-  std::cerr << "pelagos-server: --load-state " << arguments.state_file << ": " << what
+  std::cerr << "pelagos-server: --load-state " << arguments.state_file << ": " << file.fault
             << "; allowed: a file that --save-state has written\n";
   return false;
 }

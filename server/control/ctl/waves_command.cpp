@@ -3,10 +3,11 @@
 #include <optional>
 #include <string_view>
 
+#include "files/input_file.hpp"
 #include "help_text.hpp"
+#include "messages/describe_faults.hpp"
 #include "messages/limits.hpp"
 #include "messages/parse_text.hpp"
-#include "messages/text_file.hpp"
 #include "text/decimal.hpp"
 
 namespace pelagos {
@@ -40,11 +41,11 @@ bool read_wave(const std::string& text, proto::v1::Wave& wave) {
 }
 
 std::string read_waves_file(const std::string& path, proto::v1::SetWaves& out) {
-  const TextFile file = read_text_file(path, "waves", kLargestFile);
+  const InputFile file = read_input_file(path, "waves", kLargestFile);
   if (!file.fault.empty()) return path + ": " + file.fault;
-  if (file.text.size() > kLargestFile) return path + ": is too large; allowed: at most 65,536 bytes";
+  if (file.bytes.size() > kLargestFile) return path + ": is too large; allowed: at most 65,536 bytes";
   ParsedText parsed;
-  parse_text(file.text, out, parsed);
+  parse_text(file.bytes, out, parsed);
   return parsed.faults.empty() ? "" : describe_faults(parsed.faults, path).front();
 }
 

@@ -9,9 +9,10 @@
 #include <limits>
 
 #include "commands.pb.h"
+#include "files/input_file.hpp"
 #include "messages/commands.hpp"
+#include "messages/describe_faults.hpp"
 #include "messages/parse_text.hpp"
-#include "messages/text_file.hpp"
 
 namespace pelagos {
 namespace {
@@ -210,9 +211,9 @@ CommandLogResult read_command_log_text(std::string_view text, const std::string&
 }
 
 CommandLogResult read_command_log_file(const std::filesystem::path& path) {
-  const TextFile file = read_text_file(path, "command log", kLargestFile);
+  const InputFile file = read_input_file(path, "command log", kLargestFile);
   if (!file.fault.empty()) return refuse(file.fault, path.string());
-  return read_command_log_text(file.text, path.string());
+  return read_command_log_text(file.bytes, path.string());
 }
 
 void CommandLogWriter::write(const CommandLogHeader& header) {

@@ -1,7 +1,8 @@
 #include "scene/read_scene.hpp"
 
+#include "files/input_file.hpp"
+#include "messages/describe_faults.hpp"
 #include "messages/parse_text.hpp"
-#include "messages/text_file.hpp"
 #include "scene.pb.h"
 #include "validate_scene.hpp"
 
@@ -74,9 +75,9 @@ SceneResult read_scene_message(std::string_view bytes, const std::string& source
 
 SceneResult read_scene_file(const std::filesystem::path& path, const SceneReadOptions& options) {
   const std::string name = path.string();
-  const TextFile file = read_text_file(path, "scene", kLargestFile);
+  const InputFile file = read_input_file(path, "scene", kLargestFile);
   if (!file.fault.empty()) return refuse(file.fault, name);
-  return read_scene_text(file.text, name, options);
+  return read_scene_text(file.bytes, name, options);
 }
 
 }  // namespace pelagos
