@@ -46,6 +46,10 @@ const std::vector<Case>& all_cases() {
        "waves, 50 to 60 s.",
        "The wave field itself. Gain: sum h h_theory / sum h_theory^2; correlation: Pearson's of all gauges together.",
        run_open_sea},
+      {"sea_bed", "Open sea over a bed",
+       "Flumes with open ends, 10 m deep, waves of 60 m. One stands on the level bottom of the sea. In the other a bar "
+       "rises at 1:20 to a shelf of 40 m under 4 m of water, and falls at 1:10.",
+       "Linear theory (Airy 1845); on the shelf the height that carries the same energy.", run_sea_bed},
       {"dam_break_front", "Dam break: the front",
        "A column twice as high as wide runs along a frictionless floor. The front is the largest x of the water that "
        "hangs together, plus half a spacing.",

@@ -117,6 +117,7 @@ void run_taylor_green(Session& session);
 void run_solid_surfaces(Session& session);
 void run_square_patch(Session& session);
 void run_open_sea(Session& session);
+void run_sea_bed(Session& session);
 void run_paper_dam_break(Session& session);
 void run_wind(Session& session);
 void run_paper_wind(Session& session);

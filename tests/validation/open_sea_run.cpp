@@ -131,4 +131,9 @@ RegularFit fit_regular(const std::vector<SurfaceSample>& samples, double wavenum
   return {std::abs(ratio), std::arg(ratio) * 360.0 / kTurn, std::abs(water.back - theory.back) / std::abs(theory.out)};
 }
 
+WayAmplitudes fit_ways(const std::vector<SurfaceSample>& samples, double wavenumber, double omega) {
+  const TwoWays water = two_ways(samples, wavenumber, omega, false);
+  return {std::abs(water.out), std::abs(water.back)};
+}
+
 }  // namespace pelagos::validation

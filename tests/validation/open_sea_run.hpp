@@ -69,4 +69,10 @@ struct RegularFit {
 /// @param wavenumber  rad/m   @param omega  rad/s
 [[nodiscard]] RegularFit fit_regular(const std::vector<SurfaceSample>& samples, double wavenumber, double omega);
 
+/// m, amplitudes of the parts of the measured heights that run along +x and against it, fitted as fit_regular does.
+struct WayAmplitudes {
+  double out = 0.0, back = 0.0;
+};
+[[nodiscard]] WayAmplitudes fit_ways(const std::vector<SurfaceSample>& samples, double wavenumber, double omega);
+
 }  // namespace pelagos::validation

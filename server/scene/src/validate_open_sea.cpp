@@ -7,12 +7,13 @@
 
 #include "scene.pb.h"
 #include "validate_scene.hpp"
+#include "values/open_edges.hpp"
 
 namespace pelagos {
 
 namespace {
 
-constexpr double kRim = 3.0, kLeastZone = 4.0, kMostZone = 100.0, kLeastInside = 10.0, kLeastLayers = 4.0;  // spacings
+constexpr double kLeastZone = 4.0, kMostZone = 100.0, kLeastInside = 10.0, kLeastLayers = 4.0;  // spacings
 constexpr double kDefaultZone = 15.0;
 constexpr double kDeepest = 12000.0;  // m
 constexpr const char* kSides[] = {"x", "y"};
@@ -60,7 +61,8 @@ double read_zone(const FieldReader& entry, const Scene& scene) {
   entry.read("zone_width", {kLeastZone * d, kMostZone * d, "m", "4 to 100 spacings"}, zone);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (scene.patch_edges[axis] != PatchEdge::kOpen) continue;
-    const double side = scene.patch.size()[static_cast<int>(axis)], least = 2.0 * (zone + kRim * d) + kLeastInside * d;
+    const double side = scene.patch.size()[static_cast<int>(axis)],
+                 least = 2.0 * (zone + kRimColumns * d) + kLeastInside * d;
     if (side >= least - 1e-6 * d) continue;
     entry.fault("zone_width", "of " + format_number(zone) + " m leaves no room: the patch's side along " +
                                   kSides[axis] + " is " + format_number(side) + " m; allowed: sides of at least " +
@@ -118,7 +120,7 @@ void read_follow(const FieldReader& entry, Scene& scene) {
 
 }  // namespace
 
-void validate_open_sea(const FieldReader& reader, Scene& scene) {
+void validate_open_sea(const FieldReader& reader, const SceneSource& source, Scene& scene) {
   const bool open = is_open(scene.patch_edges);
   if (scene.patch_edges[2] == PatchEdge::kOpen)
     reader.child("patch_edges").fault("z", "is OPEN; allowed for x and y; with them the floor gives way by itself");
@@ -134,6 +136,7 @@ void validate_open_sea(const FieldReader& reader, Scene& scene) {
   const double simulated = scene.water.blocks.empty() ? 0.0 : scene.water.blocks[0].size().z();
   entry.read("depth", {simulated, kDeepest, "m", "at least the depth of the block of water"}, scene.open_sea.depth);
   read_follow(entry, scene);
+  if (entry.has("bed")) read_sea_bed(entry.child("bed"), source, scene);
 }
 
 }  // namespace pelagos

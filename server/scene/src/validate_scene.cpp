@@ -272,8 +272,8 @@ Scene validate_scene(const FieldReader& reader, const SceneSource& source) {
   for (const ProbeSettings& probe : scene.probes) around.probes.push_back(probe.id);
   scene.events = validate_events(reader, around);
   read_far_sea(reader, command_surroundings(scene).gravity, scene.far_sea);
-  if (patch && basis.spacing) validate_open_sea(reader, scene);
   read_origin(reader, scene.origin);
+  if (patch && basis.spacing) validate_open_sea(reader, source, scene);
   read_surface(reader, basis, scene.surface);
   return scene;
 }

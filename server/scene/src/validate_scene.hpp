@@ -17,6 +17,11 @@ struct SceneSource {
   std::optional<double> particle_spacing;  ///< instead of the file's
 };
 
+/// The first place that has a file which a field names: beside the scene, then in the asset folders. Notes a fault
+/// where none has. @return as written where files need not be there
+[[nodiscard]] std::string find_asset(const FieldReader& reader, const char* field, const std::string& written,
+                                     const SceneSource& source);
+
 /// What later checks need to know of earlier fields; empty where those were faulty.
 struct Basis {
   std::optional<double> spacing;
@@ -77,7 +82,9 @@ struct EventSurroundings {
 [[nodiscard]] std::vector<SceneEvent> validate_events(const FieldReader& scene_reader, const EventSurroundings& around);
 
 /// The `open_sea` entry, and what open edges ask of the rest of the scene, which must be read already.
-void validate_open_sea(const FieldReader& scene_reader, Scene& scene);
+void validate_open_sea(const FieldReader& scene_reader, const SceneSource& source, Scene& scene);
+/// The `open_sea.bed` entry; the rest of `open_sea` must be read already.
+void read_sea_bed(const FieldReader& bed_reader, const SceneSource& source, Scene& scene);
 
 /// The `solver` entry.
 [[nodiscard]] SolverSettings validate_solver(const FieldReader& scene_reader);

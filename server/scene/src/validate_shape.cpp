@@ -8,31 +8,14 @@ namespace {
 
 constexpr Range kSize{0.001, 10000.0, "m"};
 
-/// The first of the folders that has the file.
 std::string find_mesh(const FieldReader& reader, const std::string& written, const SceneSource& source) {
-  namespace fs = std::filesystem;
-  if (is_reserved(fs::path(written).filename().string())) {
+  if (is_reserved(std::filesystem::path(written).filename().string())) {
     reader.fault("mesh_file", "\"" + written +
                                   "\" begins with a word that means something else to viewers; allowed: "
                                   "names of files without \"primitive:\" or \"y-up:\" in front");
     return written;
   }
-  if (!source.check_meshes) return written;
-  const fs::path file(written);
-  std::vector<fs::path> places;
-  if (file.is_absolute()) {
-    places.push_back(file);
-  } else {
-    for (const fs::path& folder : source.mesh_folders) places.push_back(folder / file);
-  }
-  std::string looked;
-  for (const fs::path& place : places) {
-    std::error_code error;
-    if (fs::is_regular_file(place, error)) return fs::absolute(place, error).lexically_normal().string();
-    looked += (looked.empty() ? "" : ", ") + place.lexically_normal().string();
-  }
-  reader.fault("mesh_file", "\"" + written + "\" is not there; looked for " + looked);
-  return written;
+  return find_asset(reader, "mesh_file", written, source);
 }
 
 /// A length that is required.

@@ -15,7 +15,7 @@ constexpr double kFlat = 0.05;
 
 /// A local coordinate of place k of kPlaces between the zones.
 float place_between(const OpenSeaShape& shape, std::size_t axis, int k) {
-  const double rim = shape.open[axis] ? OpenSea::kRimColumns * shape.spacing + shape.zone : 0.0;
+  const double rim = shape.open[axis] ? kRimColumns * shape.spacing + shape.zone : 0.0;
   const double low = static_cast<double>(shape.patch.min[axis]) + rim,
                high = static_cast<double>(shape.patch.max[axis]) - rim;
   return static_cast<float>(low + (high - low) * (k + 0.5) / kPlaces);
@@ -64,7 +64,7 @@ EdgeQuality EdgeWatch::quality(const OpenSeaShape& shape, std::size_t free, std:
   double area = 1.0, variance = 0.0;
   for (std::size_t axis = 0; axis < 2; ++axis)
     area *= static_cast<double>(shape.patch.max[axis] - shape.patch.min[axis]) -
-            (shape.open[axis] ? 2.0 * OpenSea::kRimColumns * shape.spacing : 0.0);
+            (shape.open[axis] ? 2.0 * kRimColumns * shape.spacing : 0.0);
   quality.level = (static_cast<double>(free) - static_cast<double>(wanted)) * std::pow(shape.spacing, 3) / area;
   for (const MomentWave& wave : moment.waves) variance += 0.5 * std::pow(static_cast<double>(wave.amplitude), 2);
   quality.significant_height = 4.0 * std::sqrt(variance);

@@ -8,6 +8,8 @@
 #include <span>
 
 #include "labelled_waves.hpp"
+#include "sea_bed.hpp"
+#include "smooth_step.hpp"
 
 namespace pelagos {
 
@@ -29,11 +31,6 @@ constexpr float kSurplusDepth = 0.4F;
 constexpr double kSurplusDraw = 0.1;
 /// Free water that comes into the rim of the edge behind with a label above this many spacings is taken out.
 constexpr double kHighestHeld = 0.3;
-
-double smooth_step(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 /// The waves below a material surface: the theory at the labels Z <= -by is that of these waves at Z + by.
 WaveMoment lowered(const WaveMoment& moment, double by) {
@@ -162,22 +159,30 @@ OpenSeaWater OpenSea::fill(TaskPool& pool, const WaveField& sea, const Eigen::Ve
                            double next_dt) const {
   OpenSeaWater water;
   const double d = shape_.spacing;
-  std::array<int, 3> n{};
+  std::array<int, 2> n{};
   for (std::size_t axis = 0; axis < 2; ++axis)
     n[axis] = static_cast<int>(std::lround(static_cast<double>(shape_.patch.max[axis] - shape_.patch.min[axis]) / d));
-  n[2] = static_cast<int>(std::lround(shape_.depth / d));
-  for (int k = 0; k < n[2]; ++k)
+  const auto most = static_cast<int>(std::lround(shape_.depth / d));
+  for (int k = 0; k < most; ++k)
     for (int j = 0; j < n[1]; ++j)
       for (int i = 0; i < n[0]; ++i) {
         const double x = static_cast<double>(shape_.patch.min[0]) + (i + 0.5) * d;
         const double y = static_cast<double>(shape_.patch.min[1]) + (j + 0.5) * d;
-        water.label.push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>(-(k + 0.5) * d),
+        const double below = (k + 0.5) * d;
+        if (below >= depth_at(x, y)) continue;  // so that the water fills its volume, whatever the slope
+        water.label.push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>(-below),
                                inside(x, y) < rim() ? kHeld : 0.0F});
       }
   place_labels(
       pool, moment(sea, anchor, time), moment(sea, anchor, time + 0.5 * next_dt), shape_.level, water.label.size(),
       [&](std::size_t k) { return water.label[k]; }, water.position, water.velocity);
   return water;
+}
+
+double OpenSea::depth_at(double x, double y) const {
+  if (shape_.bed.empty()) return shape_.depth;
+  return std::max(0.0,
+                  shape_.level - static_cast<double>(shape_.bed.at(static_cast<float>(x), static_cast<float>(y)).x));
 }
 
 void OpenSea::give(TaskPool& pool, const WaveField& sea, const Eigen::Vector2d& anchor, double time, double dt,
@@ -187,6 +192,7 @@ void OpenSea::give(TaskPool& pool, const WaveField& sea, const Eigen::Vector2d& 
   place_labels(
       pool, at_place, at_velocity, shape_.level, held.rows.size(),
       [&](std::size_t k) { return fluid.particles.label[held.rows[k]]; }, held.position, held.velocity);
+  if (!shape_.bed.empty()) return;  // it does not move
   lay_floor(shape_, fluid.floor);
   const WaveMoment low_place = lowered(at_place, shape_.depth), low_velocity = lowered(at_velocity, shape_.depth);
   FloorMaker(low_place, low_velocity, shape_.level - shape_.depth, fluid.floor).make(pool);
@@ -374,6 +380,10 @@ std::optional<OpenSeaShape> open_sea_shape(const Scene& scene, const PatchFrame&
   shape.level = frame.local_height(block.max.z());
   shape.depth = block.size().z();
   shape.zone = scene.open_sea.zone_width;
+  if (!scene.open_sea.bed.heights.empty()) {
+    lay_floor(shape, shape.bed);
+    shape_bed(scene, frame, shape.bed);
+  }
   return shape;
 }
 

@@ -65,6 +65,7 @@ FluidState make_start(TaskPool& pool, const Scene& scene, const Bodies& bodies, 
     fluid.particles.label = start.label;
     fluid.particles.label.resize(padded_count(fluid.particles.count));
     find_held(fluid);
+    fluid.floor = open->shape().bed;  // for the settling
   }
   return fluid;
 }
@@ -488,6 +489,7 @@ SceneParts World::scene_parts() const {
           {"solver", hash_together(p.scheme)},
           {"patch", hash_together(scene_.patch_edges, scene_.patch.min, scene_.patch.max)},
           {"open sea", hash_together(std::array{scene_.open_sea.zone_width, scene_.open_sea.depth})},
+          {"sea bed", hash_together(scene_.open_sea.bed.heights.height, scene_.open_sea.bed.blend_width)},
           {"walls", hash_together(std::vector(walls, walls + static_cast<std::ptrdiff_t>(fluid_.static_walls)))},
           {"bodies", hash_of_bodies(scene_, bodies_, fluid_)}};
 }

@@ -14,6 +14,7 @@
 #include "values/command.hpp"
 #include "values/current.hpp"
 #include "values/frame_times.hpp"
+#include "values/height_grid.hpp"
 #include "values/oil.hpp"
 #include "values/probe.hpp"
 #include "values/wave_settings.hpp"
@@ -200,11 +201,18 @@ struct FarSeaSettings {
   std::optional<SeaSettings> sea = {};   ///< in place of all above
 };
 
+/// The bottom of an open sea where it is not level.
+struct SeaBedSettings {
+  HeightGrid heights;        ///< over the patch and a margin; empty: the bottom is level
+  double blend_width = 0.0;  ///< m, from the zones inwards, over which the level bottom becomes this one
+};
+
 /// How a patch with open edges goes over into the sea around it.
 struct OpenSeaSettings {
-  double zone_width = 0.0;        ///< m, in which the water is drawn to the wave field; 0: 15 spacings
-  double depth = 0.0;             ///< m, of the sea; 0: deeper than any wave reaches
-  std::uint32_t follow_body = 0;  ///< its id: the patch stays around it; 0: none
+  double zone_width = 0.0;  ///< m, in which the water is drawn to the wave field; 0: 15 spacings
+  double depth = 0.0;       ///< m, of the sea; 0: deeper than any wave reaches
+  SeaBedSettings bed;
+  std::uint32_t follow_body = 0;                              ///< its id: the patch stays around it; 0: none
   Eigen::Vector2d follow_velocity = Eigen::Vector2d::Zero();  ///< m/s: without a body the patch moves like this
   [[nodiscard]] bool follows() const { return follow_body != 0 || !follow_velocity.isZero(0.0); }
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/fluid.hpp"
+#include "values/open_edges.hpp"
 #include "values/patch_frame.hpp"
 #include "values/scene.hpp"
 #include "waves/wave_field.hpp"
@@ -21,7 +22,7 @@ namespace pelagos {
 //   rim    three columns of particles all around stand at X + D and move with V; their pressure is that of their labels
 //   zone   inside the rim the water is drawn to V: a = (1 - e^(-s g dt)) / dt (V - v) with s = smoothstep from 0 at the
 //          zone's inner edge to 1 at the rim. Places are not drawn, so a wave that leaves is not thrown back
-//   floor  the material surface Z = -depth with its slopes and velocity
+//   floor  the material surface Z = -depth with its slopes and velocity; or a sea bed, which in rim and zones is level
 // (Zones: relaxation zones as in Jacobsen et al. 2012; there by blending values, here as an acceleration. Particles
 // that are prescribed at open boundaries: Lastiwka et al. 2009, there with the inner pressure, here with the theory's.)
 
@@ -33,6 +34,7 @@ struct OpenSeaShape {
   double level = 0.0;          ///< m, local z of the mean level
   double depth = 0.0;          ///< m, simulated, below the mean level; whole spacings
   double zone = 0.0;           ///< m, width of the zone inside the rim
+  Floor bed;                   ///< the sea bed; empty: the floor is a material surface of the wave field
 };
 
 /// The water of an open sea at a time.
@@ -67,10 +69,14 @@ class OpenSea {
  public:
   explicit OpenSea(const OpenSeaShape& shape);
 
-  /// The water as the wave field has it at `time`, on a lattice of labels.
+  /// The water as the wave field has it at `time`, on a lattice of labels. Over a bed that is not level the layers of a
+  /// column are as thick as its depth asks for.
   /// @param anchor  m, world: where local x = y = 0 is
   [[nodiscard]] OpenSeaWater fill(TaskPool& pool, const WaveField& sea, const Eigen::Vector2d& anchor, double time,
                                   double next_dt) const;
+
+  /// m, of the water at rest; 0 where the bed is dry.
+  [[nodiscard]] double depth_at(double x, double y) const;
 
   /// Before a step from `time` over dt: where the rim will be, and the floor.
   void give(TaskPool& pool, const WaveField& sea, const Eigen::Vector2d& anchor, double time, double dt,
@@ -92,8 +98,6 @@ class OpenSea {
                               double dt, std::size_t axis, int way, FluidState& fluid) const;
 
   [[nodiscard]] const OpenSeaShape& shape() const { return shape_; }
-  /// Columns of the rim.
-  static constexpr int kRimColumns = 3;
   [[nodiscard]] double rim() const { return kRimColumns * shape_.spacing; }  ///< m
   /// Waves shorter than this many spacings stay outside the patch.
   static constexpr double kShortestWave = 8.0;
