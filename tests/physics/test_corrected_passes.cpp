@@ -319,7 +319,7 @@ TEST(CorrectedGradients, VelocityGradientsOfLinearVelocitiesAreExact) {
   std::vector<Float4> v(padded_count(scene->count));
   for (std::size_t i = 0; i < scene->count; ++i) v[i] = linear_velocity(scene->position[i]);
   VelocityGradients gradients;
-  compute_velocity_gradients(pool, scene->data, scene->gradients, scene->corrections, v, gradients);
+  compute_velocity_gradients(pool, scene->data, scene->gradients, scene->corrections, v, 0.0F, gradients);
   for (std::size_t i = 0; i < scene->count; ++i) {
     const Double3 own = as_double(v[i]);
     for (std::size_t row = 0; row < 3; ++row) {
@@ -333,10 +333,31 @@ TEST(CorrectedGradients, VelocityGradientsOfLinearVelocitiesAreExact) {
   }
 }
 
+TEST(CorrectedGradients, WeakRotationIsLeftOut) {
+  TaskPool pool(2);
+  const auto scene = filled(pool, {"", kAllWalls, false}, 43);
+  std::vector<Float4> v(padded_count(scene->count));
+  for (std::size_t i = 0; i < scene->count; ++i) v[i] = linear_velocity(scene->position[i]);
+  constexpr float kRate = 2.0F;  // 1/s
+  VelocityGradients whole, less;
+  compute_velocity_gradients(pool, scene->data, scene->gradients, scene->corrections, v, 0.0F, whole);
+  compute_velocity_gradients(pool, scene->data, scene->gradients, scene->corrections, v, kRate, less);
+  for (std::size_t i = 0; i < scene->count; ++i) {
+    const Double33 g{as_double(whole.row[0][i]), as_double(whole.row[1][i]), as_double(whole.row[2][i])};
+    const double squares = dot(g[0], g[0]) + dot(g[1], g[1]) + dot(g[2], g[2]);
+    const double share = 4.0 / (4.0 + 2.0 * squares);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const Double3 have = as_double(less.row[a][i]);
+      for (std::size_t b = 0; b < 3; ++b)
+        ASSERT_NEAR(have[b], g[a][b] - 0.5 * share * (g[a][b] - g[b][a]), 1e-5 * (1.0 + std::sqrt(squares))) << i;
+    }
+  }
+}
+
 std::vector<Float4> filter_change(TaskPool& pool, const PatchScene& scene, const std::vector<Float4>& velocity) {
   const std::vector<Float4> v = scene.with_images(pool, velocity);
   VelocityGradients gradients;
-  compute_velocity_gradients(pool, scene.data, scene.gradients, scene.corrections, v, gradients);
+  compute_velocity_gradients(pool, scene.data, scene.gradients, scene.corrections, v, 0.0F, gradients);
   FilterChange change;
   std::vector<float> delta(padded_count(scene.count));
   compute_filter(pool, scene.data, gradients, change, delta);

@@ -110,7 +110,7 @@ TEST_F(PhasePasses, AlphaBoundsTheDiagonal) {
 TEST_F(PhasePasses, TheFilterKeepsMomentum) {
   const std::vector<Float4> v = random_vectors(scene_->count, 1.0, 10);
   VelocityGradients gradients;
-  compute_velocity_gradients(pool_, scene_->data, scene_->gradients, Corrections{}, v, gradients);
+  compute_velocity_gradients(pool_, scene_->data, scene_->gradients, Corrections{}, v, 0.0F, gradients);
   FilterChange filtered;
   compute_filter(pool_, scene_->data, gradients, filtered, scene_->delta);
   const std::vector<Float4>& change = filtered.all;

@@ -76,11 +76,12 @@ void filter_velocity(TaskPool& pool, FluidState& state, double dt, StepReport& r
   const PairData data = pair_data(state);
   extend_velocities(pool, state);
   refresh_solid_speeds(pool, state);
-  compute_velocity_gradients(pool, data, state.gradients, state.corrections, p.velocity, state.velocity_gradients);
+  const double rate = std::sqrt(scale_gravity(q.gravity) / q.spacing);
+  compute_velocity_gradients(pool, data, state.gradients, state.corrections, p.velocity,
+                             static_cast<float>(q.weak_rotation * rate), state.velocity_gradients);
   compute_filter(pool, data, state.velocity_gradients, state.filter_change, p.density);
   report.pair_passes += 2;
-  const double rate = q.filter * std::sqrt(scale_gravity(q.gravity) / q.spacing);
-  const auto factor = static_cast<float>(std::min(dt * rate, kLargestFilterStep));
+  const auto factor = static_cast<float>(std::min(dt * q.filter * rate, kLargestFilterStep));
   keep_held_velocities(state);
   add_scaled_vectors(pool, factor, of_particles(state, state.filter_change.all), p.velocity);
   give_filter_to_bodies(pool, state, factor);

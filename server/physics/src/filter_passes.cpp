@@ -88,11 +88,27 @@ HWY_INLINE GradientRows rows_with_images(const PairData& data, const Symmetric& 
   return {multiply(correction, rows.x), multiply(correction, rows.y), multiply(correction, rows.z)};
 }
 
+/// rows -= c (G - G^T) / 2, c = limit / (limit + 2 G:G). @param limit  the square of the weak rate, in the rows' unit
+HWY_INLINE void leave_out_weak_rotation(FloatV limit, GradientRows& rows) {
+  const FloatTag d;
+  const FloatV squares = dot(rows.x, rows.x, dot(rows.y, rows.y, dot(rows.z, rows.z, hn::Zero(d))));
+  const FloatV all = hn::Max(hn::Add(limit, hn::Add(squares, squares)), hn::Set(d, 1e-30F));
+  const FloatV half_share = hn::Mul(hn::Set(d, 0.5F), hn::Div(limit, all));
+  const auto draw_together = [&](FloatV& a, FloatV& b) HWY_ATTR {
+    const FloatV half = hn::Mul(half_share, hn::Sub(a, b));
+    a = hn::Sub(a, half), b = hn::Add(b, half);
+  };
+  draw_together(rows.x.y, rows.y.x);
+  draw_together(rows.x.z, rows.z.x);
+  draw_together(rows.y.z, rows.z.y);
+}
+
 void velocity_gradient_groups(const PairData& data, std::size_t first_group, std::size_t last_group,
                               const void* cache_words, const Float4* first, const Float4* second,
-                              const Float4* velocity, Float4* row_x, Float4* row_y, Float4* row_z) {
+                              const Float4* velocity, float weak_rate, Float4* row_x, Float4* row_y, Float4* row_z) {
   const auto* cache = static_cast<const CachedGradient*>(cache_words);
   const FloatV scale = hn::Set(FloatTag(), -1.0F / data.spacing);
+  const FloatV limit = hn::Set(FloatTag(), weak_rate * data.spacing * weak_rate * data.spacing);
   const auto store = [&](const Vec3& row, FloatV component, Float4* out) HWY_ATTR {
     store_records({hn::Mul(row.x, scale), hn::Mul(row.y, scale), hn::Mul(row.z, scale), component}, out);
   };
@@ -107,6 +123,7 @@ void velocity_gradient_groups(const PairData& data, std::size_t first_group, std
         else
           rows = rows_with_images<kUsed>(data, symmetric(load_records(first + i), load_records(second + i)), velocity,
                                          group, lane, i, own);
+        leave_out_weak_rotation(limit, rows);
         store(rows.x, own.x, row_x + i);
         store(rows.y, own.y, row_y + i);
         store(rows.z, own.z, row_z + i);
@@ -253,14 +270,14 @@ void extend_gradients(TaskPool& pool, const Ghosts& ghosts, VelocityGradients& g
 }  // namespace
 
 void compute_velocity_gradients(TaskPool& pool, const PairData& data, const Gradients& gradients,
-                                const Corrections& corrections, std::span<const Float4> velocity,
+                                const Corrections& corrections, std::span<const Float4> velocity, float weak_rate,
                                 VelocityGradients& out) {
   const std::size_t size = gathered_count(data);
   for (std::vector<Float4>& row : out.row) row.resize(size);
   for_each_group(pool, data, [&](std::size_t first, std::size_t last) {
     HWY_DYNAMIC_DISPATCH(velocity_gradient_groups)
     (data, first, last, gradients.own.words.data(), corrections.first.data(), corrections.second.data(),
-     velocity.data(), out.row[0].data(), out.row[1].data(), out.row[2].data());
+     velocity.data(), weak_rate, out.row[0].data(), out.row[1].data(), out.row[2].data());
   });
   if (data.ghosts) extend_gradients(pool, *data.ghosts, out);
 }

@@ -202,7 +202,11 @@ void World::start_current() {
 void World::drive_current(double time, StepReport& report) {
   if (current_.slowing && clock_.time() >= current_.slowing_until) current_.slowing.reset();
   const std::optional<Current>& current = current_.running ? current_.running : current_.slowing;
-  if (!current || !drive_.any()) return;
+  const bool drives = current && drive_.any();
+  // The shear of a current is slow rotation: it is no noise.
+  const bool is_sheared = drives && current->target().shear != CurrentShear::kNone;
+  fluid_.parameters.weak_rotation = is_sheared ? 0.0 : kWeakRotation;
+  if (!drives) return;
   const StageScope scope(report.times, options_.clock, Stage::kCurrent);
   FluidParticles& p = fluid_.particles;
   drive_.add_acceleration(*pool_, *current, time, p.position, p.velocity, p.count, p.acceleration);

@@ -100,18 +100,23 @@ void compute_rate(TaskPool& pool, const PairData& data, const Gradients& gradien
 
 /// Velocity gradients G_i = sum_j V (v_j - v_i) (B_i grad W_ij)^T of the corrected gradients, 1/s. Row a of particle i
 /// is in row[a][i], x, y, z; its w holds v_a, so that the filter gathers both at once.
+///
+/// Weak rotation is left out: G' = G - c (G - G^T) / 2, c = r^2 / (r^2 + 2 G:G) with the rate r. The filter leaves
+/// alone what G' holds, so with r = 0 eddies of a few spacings live for ever, and calm water stirs itself. Waves have
+/// no rotation; wakes and spinning water turn faster than r.
 struct VelocityGradients {
   std::array<std::vector<Float4>, 3> row;
 };
 /// @param corrections  those of `gradients`; near solids they are read again
+/// @param weak_rate  r, 1/s
 void compute_velocity_gradients(TaskPool& pool, const PairData& data, const Gradients& gradients,
-                                const Corrections& corrections, std::span<const Float4> velocity,
+                                const Corrections& corrections, std::span<const Float4> velocity, float weak_rate,
                                 VelocityGradients& out);
 
 /// What the filter takes out of the velocities: sum_j V W_ij [v_j - v_i + (G_i + G_j)/2 (x_i - x_j)], m/s. Zero for
-/// velocities that are linear in space; antisymmetric in each pair, so momentum stays. Between two phases each particle
-/// takes the share rho0_lighter / rho0_i, for the same reason. The pass has the kernel at hand, so it gives the
-/// densities at these positions as well.
+/// velocities that are linear in space, less their weak rotation; antisymmetric in each pair, so momentum stays.
+/// Between two phases each particle takes the share rho0_lighter / rho0_i, for the same reason. The pass has the kernel
+/// at hand, so it gives the densities at these positions as well.
 struct FilterChange {
   std::vector<Float4> all;                                     ///< [padded] m/s
   std::array<std::vector<Float4>, SolidPlanes::kSlots> solid;  ///< [padded] the share of the solids' images, by slot
