@@ -40,7 +40,7 @@ TEST(FreeBody, FallsAndKeepsItsHorizontalSpeed) {
   BodyState start;
   start.velocity = {2.0, 0.0, 0.0};
   for (const auto order : {FreeBody::Order::kDriftFirst, FreeBody::Order::kGravityFirst}) {
-    FreeBody body(start, brick(), FreeBody::Freedom::kAll);
+    FreeBody body(start, brick());
     for (int k = 0; k < 1000; ++k) body.predict(1e-3, 9.81, order);
     EXPECT_NEAR(body.velocity().z(), -9.81, 1e-9);
     EXPECT_NEAR(body.centre().z(), -0.5 * 9.81, 0.01);
@@ -52,7 +52,7 @@ TEST(FreeBody, SpinsAboutItsMiddleAxisWithoutGainOrLoss) {
   // The motion about the axis of middle inertia is unstable: it turns over again and again (Euler 1758).
   BodyState start;
   start.angular_velocity = {0.01, 2.0, 0.01};
-  FreeBody body(start, brick(), FreeBody::Freedom::kAll);
+  FreeBody body(start, brick());
   const Eigen::Vector3d momentum = body.angular_momentum();
   const double energy = 0.5 * body.angular_velocity().dot(momentum);
   double least = 1.0;
@@ -73,8 +73,7 @@ TEST(FreeBody, IsAboutItsCentreOfMassAndSpeaksOfItsOrigin) {
   state.position = {5.0, 6.0, 7.0};
   state.orientation = Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ());
   state.angular_velocity = {0.0, 0.0, 3.0};
-  FreeBody body(state, body_mass(settings, mass_properties(make_mesh(BoxShape{{4.0, 2.0, 2.0}}))),
-                FreeBody::Freedom::kAll);
+  FreeBody body(state, body_mass(settings, mass_properties(make_mesh(BoxShape{{4.0, 2.0, 2.0}}))));
   EXPECT_LT((body.centre() - Eigen::Vector3d(5.0, 7.0, 7.0)).norm(), 1e-12);
   EXPECT_LT((body.velocity() - Eigen::Vector3d(-3.0, 0.0, 0.0)).norm(), 1e-12);
   BodyState back = state;
@@ -88,7 +87,7 @@ TEST(FreeBody, LedInTheHorizontalKeepsHeaveRollAndPitch) {
   state.position = {0.0, 0.0, 2.0};
   state.orientation = rotation_of({0.3, 0.0, 0.0});
   state.angular_velocity = {0.5, 0.0, 0.0};
-  FreeBody body(state, brick(), FreeBody::Freedom::kHeaveRollPitch);
+  FreeBody body(state, brick(), Freedoms::heave_roll_pitch());
   BodyState leader;
   leader.position = {10.0, -4.0, 99.0};
   leader.orientation = Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ()) * rotation_of({0.0, 0.2, 0.0});
@@ -104,13 +103,42 @@ TEST(FreeBody, LedInTheHorizontalKeepsHeaveRollAndPitch) {
   EXPECT_EQ(body.inverse_mass().head<2>(), Eigen::Vector2d::Zero());
 }
 
+TEST(FreeBody, ThatMayOnlyHeaveNeitherTurnsNorLeavesItsCourse) {
+  BodyState start;
+  start.velocity = {2.0, 0.5, 0.0};
+  FreeBody body(start, brick(), {{0.0, 0.0, 1.0}, Eigen::Vector3d::Zero()});
+  EXPECT_EQ(body.inverse_mass(), Eigen::Vector3d(0.0, 0.0, 1.0 / brick().mass));
+  EXPECT_EQ(body.inverse_inertia(), Eigen::Matrix3d::Zero());
+  for (int k = 0; k < 1000; ++k) body.predict(1e-3, 9.81, FreeBody::Order::kDriftFirst);
+  EXPECT_NEAR(body.velocity().z(), -9.81, 1e-9);
+  EXPECT_NEAR(body.centre().x(), 2.0, 1e-9);
+  EXPECT_NEAR(body.centre().y(), 0.5, 1e-9);
+  FreeBody fixed(start, brick(), {Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()});
+  fixed.predict(1.0, 9.81, FreeBody::Order::kDriftFirst);
+  EXPECT_EQ(fixed.velocity(), start.velocity) << "no weight along what is not free";
+}
+
+TEST(FreeBody, TurnsOnlyAboutTheAxesThatAreFree) {
+  BodyState start;
+  start.orientation = rotation_of({0.2, 0.4, 0.0});
+  const FreeBody all(start, brick()), roll(start, brick(), {Eigen::Vector3d::Ones(), {1.0, 0.0, 0.0}});
+  const Eigen::Matrix3d inertia = all.inverse_inertia().inverse();
+  Eigen::Matrix3d expected = Eigen::Matrix3d::Zero();
+  expected(0, 0) = 1.0 / inertia(0, 0);
+  EXPECT_LT((roll.inverse_inertia() - expected).norm(), 1e-12 * expected.norm());
+  const FreeBody tilts(start, brick(), Freedoms::heave_roll_pitch());
+  const Eigen::Matrix2d corner = inertia.topLeftCorner<2, 2>().inverse();
+  EXPECT_LT((tilts.inverse_inertia().topLeftCorner<2, 2>() - corner).norm(), 1e-12 * corner.norm());
+  EXPECT_EQ(tilts.inverse_inertia().col(2), Eigen::Vector3d::Zero());
+}
+
 TEST(BodyContacts, StopABodyAtAPlaneAndLeaveItInTheAir) {
   BodyState start;
   start.position = {0.0, 0.0, 2.0};
-  FreeBody body(start, brick(), FreeBody::Freedom::kAll);
+  FreeBody body(start, brick());
   BodyContacts contacts(0.1);
   contacts.add_plane(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ());
-  const std::size_t hull = contacts.add_free(make_mesh(BoxShape{{3.0, 2.0, 1.0}}), brick(), FreeBody::Freedom::kAll);
+  const std::size_t hull = contacts.add_free(make_mesh(BoxShape{{3.0, 2.0, 1.0}}), brick());
   bool ever = false;
   for (int k = 0; k < 2000; ++k) {
     body.predict(1e-3, 9.81, FreeBody::Order::kDriftFirst);
@@ -134,11 +162,11 @@ TEST(BodyContacts, StopABodyAtAPlaneAndLeaveItInTheAir) {
 double fall_between_planes(BodyContacts::Face face, const Eigen::Vector3d& thrown) {
   BodyState start;
   start.velocity = thrown;
-  FreeBody body(start, brick(), FreeBody::Freedom::kAll);
+  FreeBody body(start, brick());
   BodyContacts contacts(0.1);
   for (const double side : {-1.0, 1.0})
     contacts.add_plane({-1.5 * side, 0.0, 0.0}, side * Eigen::Vector3d::UnitX(), face);
-  const std::size_t hull = contacts.add_free(make_mesh(BoxShape{{3.0, 2.0, 1.0}}), brick(), FreeBody::Freedom::kAll);
+  const std::size_t hull = contacts.add_free(make_mesh(BoxShape{{3.0, 2.0, 1.0}}), brick());
   for (int k = 0; k < 500; ++k) {
     body.predict(1e-3, 9.81, FreeBody::Order::kDriftFirst);
     contacts.place_free(hull, body);
@@ -169,10 +197,10 @@ TEST(BodyContacts, ShareMomentumBetweenBodies) {
   BodyState left, right;
   left.velocity = {2.0, 0.0, 0.0};
   right.position = {1.5, 0.0, 0.0};
-  FreeBody a(left, light, FreeBody::Freedom::kAll), b(right, heavy, FreeBody::Freedom::kAll);
+  FreeBody a(left, light), b(right, heavy);
   BodyContacts contacts(0.1);
-  const std::size_t hull_a = contacts.add_free(mesh, light, FreeBody::Freedom::kAll);
-  const std::size_t hull_b = contacts.add_free(mesh, heavy, FreeBody::Freedom::kAll);
+  const std::size_t hull_a = contacts.add_free(mesh, light);
+  const std::size_t hull_b = contacts.add_free(mesh, heavy);
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
   for (int k = 0; k < 1000; ++k) {
     for (FreeBody* body : {&a, &b}) body->predict(1e-3, 0.0, FreeBody::Order::kDriftFirst);

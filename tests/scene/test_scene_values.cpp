@@ -118,6 +118,25 @@ TEST(SceneFile, TurnsShipAnglesIntoTheWorldFrame) {
   EXPECT_GT(axis("roll_deg: 10", port).z(), 0.17);      // starboard down: port up
 }
 
+TEST(SceneFile, ABodyIsFreeAlongItsOwnAxes) {
+  const auto freedoms = [](const std::string& text) {
+    const SceneResult result = read_with(
+        "body { id: 1 mesh_file: \"a.obj\" position { x: 1 y: 1 z: 1 } drive: FREE mass { kg: 1 } " + text + " }");
+    EXPECT_TRUE(result) << result.report();
+    return result ? result.scene->bodies[0].freedoms : Freedoms{};
+  };
+  EXPECT_TRUE(freedoms("").all());
+  const Freedoms heave = freedoms("heading_deg: 37 free: HEAVE");
+  EXPECT_EQ(heave.along, Eigen::Vector3d(0.0, 0.0, 1.0));
+  EXPECT_EQ(heave.about, Eigen::Vector3d(0.0, 0.0, 0.0));
+  const Freedoms east = freedoms("heading_deg: 90 roll_deg: 10 free: [HEAVE, ROLL, SURGE]");
+  EXPECT_EQ(east.along, Eigen::Vector3d(1.0, 0.0, 1.0));
+  EXPECT_EQ(east.about, Eigen::Vector3d(1.0, 0.0, 0.0));
+  const Freedoms north = freedoms("free: [YAW, ROLL, SURGE]");
+  EXPECT_EQ(north.along, Eigen::Vector3d(0.0, 1.0, 0.0));
+  EXPECT_EQ(north.about, Eigen::Vector3d(0.0, 1.0, 1.0));
+}
+
 TEST(SceneFile, AHoldStartsAsTheBodySays) {
   const auto hold_of = [](const std::string& text) {
     return read_with("body { id: 1 mesh_file: \"a.obj\" position { x: 1 y: 1 z: 1 } " + text + " }")

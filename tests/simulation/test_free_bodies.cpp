@@ -50,6 +50,27 @@ TEST(FreeBodies, TakeWhatTheWaterGives) {
   }
 }
 
+TEST(FreeBodies, MoveOnlyAsTheyMay) {
+  Scene scene = floating_box(0.5);
+  scene.water.settle_steps = 10;
+  BodySettings& box = scene.bodies[0];
+  box.orientation = Eigen::AngleAxisd(0.2, Eigen::Vector3d(0.6, 0.8, 0.0));
+  box.position.z() += 0.1;
+  box.velocity = {0.3, 0.0, 0.0};
+  box.freedoms = {{0.0, 0.0, 1.0}, Eigen::Vector3d::Zero()};
+  World world(scene, {2, nullptr, {}});
+  const BodyState before = body_of(world);
+  double lowest = before.position.z();
+  run_until(world, 0.6, [&](const WorldStep& step) {
+    expect_sound(step);
+    lowest = std::min(lowest, body_of(world).position.z());
+  });
+  EXPECT_LT(lowest, before.position.z() - 0.05) << "it heaves";
+  EXPECT_NEAR(body_of(world).position.x() - before.position.x(), 0.3 * world.time(), 1e-6) << "it is towed";
+  EXPECT_EQ(body_of(world).position.y(), before.position.y());
+  EXPECT_LT(body_of(world).orientation.angularDistance(before.orientation), 1e-12);
+}
+
 TEST(FreeBodies, ComeBackWithTheWaterAfterAFault) {
   Scene scene = floating_box(0.5);
   scene.on_fault = FaultPolicy::kRestore;

@@ -229,8 +229,8 @@ TEST_F(StateFile, ForeignFilesAreRefused) {
   std::vector<std::byte> text(500, std::byte{'a'});
   expect_refused(text, "does not begin with PELAGOS");
   std::vector<std::byte> newer = file_;
-  newer[7] = std::byte{3};
-  expect_refused(newer, "its format is 3; allowed: format 2");
+  newer[7] = std::byte{4};
+  expect_refused(newer, "its format is 4; allowed: format 3");
 }
 
 /// The file with the first letter of a text of its origin changed and the checksum set right, as another build saves

@@ -182,14 +182,31 @@ bool FieldReader::read(const char* name, const Range& range, Eigen::Vector3d& va
   return valid;
 }
 
+bool FieldReader::check_enum(const char* name, int number) const {
+  const google::protobuf::EnumDescriptor& type = *field(name).enum_type();
+  if (type.FindValueByNumber(number) != nullptr) return true;  // otherwise possible in binary form only
+  fault(name, std::to_string(number) + " is none of the values of " + type.name());
+  return false;
+}
+
 int FieldReader::read_enum(const char* name) const {
+  const int number = message_->GetReflection()->GetEnumValue(*message_, &field(name));
+  return check_enum(name, number) ? number : 0;
+}
+
+std::vector<int> FieldReader::read_enums(const char* name) const {
   const Field& descriptor = field(name);
-  const int number = message_->GetReflection()->GetEnumValue(*message_, &descriptor);
-  if (descriptor.enum_type()->FindValueByNumber(number) == nullptr) {  // possible in binary form only
-    fault(name, std::to_string(number) + " is none of the values of " + descriptor.enum_type()->name());
-    return 0;
+  const auto& reflection = *message_->GetReflection();
+  std::vector<int> numbers;
+  for (int i = 0; i < reflection.FieldSize(*message_, &descriptor); ++i) {
+    const int number = reflection.GetRepeatedEnumValue(*message_, &descriptor, i);
+    if (!check_enum(name, number)) continue;
+    if (std::find(numbers.begin(), numbers.end(), number) != numbers.end())
+      fault(name, descriptor.enum_type()->FindValueByNumber(number)->name() + " is given twice; allowed: each once");
+    else
+      numbers.push_back(number);
   }
-  return number;
+  return numbers;
 }
 
 bool FieldReader::require(const char* name) const {

@@ -262,15 +262,13 @@ std::size_t BodyContacts::add_driven(const TriangleMesh& mesh) {
   return world_->hulls.size() - 1;
 }
 
-std::size_t BodyContacts::add_free(const TriangleMesh& mesh, const BodyMass& mass, FreeBody::Freedom freedom) {
+std::size_t BodyContacts::add_free(const TriangleMesh& mesh, const BodyMass& mass, const Freedoms& freedoms) {
   const PrincipalAxes axes = principal_axes(mass.inertia);
   World::Hull hull{nullptr, mass.centre, axes.to_body};
   hull.body = &world_->add(world_->hull_shape(mesh, hull), mass.mass, axes.moments);
   world_->number(*hull.body, hollow_share(mesh) > kConvex);
-  if (freedom == FreeBody::Freedom::kHeaveRollPitch) {
-    hull.body->setLinearFactor({0, 0, 1});
-    hull.body->setAngularFactor({1, 1, 0});
-  }
+  hull.body->setLinearFactor(to_bullet(freedoms.along));
+  hull.body->setAngularFactor(to_bullet(freedoms.about));
   world_->publish(*hull.body, World::kFreeGroup, World::kFixedGroup | World::kDrivenGroup | World::kFreeGroup);
   world_->hulls.push_back(hull);
   return world_->hulls.size() - 1;

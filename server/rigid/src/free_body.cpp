@@ -6,8 +6,8 @@
 
 namespace pelagos {
 
-FreeBody::FreeBody(const BodyState& start, const BodyMass& mass, Freedom freedom)
-    : mass_(mass), freedom_(freedom), angular_velocity_(start.angular_velocity), orientation_(start.orientation) {
+FreeBody::FreeBody(const BodyState& start, const BodyMass& mass, const Freedoms& freedoms)
+    : mass_(mass), freedoms_(freedoms), angular_velocity_(start.angular_velocity), orientation_(start.orientation) {
   const Eigen::Vector3d arm = orientation_ * mass_.centre;
   centre_ = start.position + arm;
   velocity_ = start.velocity + angular_velocity_.cross(arm);
@@ -18,16 +18,22 @@ Eigen::Matrix3d FreeBody::inertia() const {
   return rotation * mass_.inertia * rotation.transpose();
 }
 
-Eigen::Vector3d FreeBody::inverse_mass() const {
-  const double inverse = 1.0 / mass_.mass;
-  return freedom_ == Freedom::kAll ? Eigen::Vector3d::Constant(inverse) : Eigen::Vector3d(0.0, 0.0, inverse);
-}
+Eigen::Vector3d FreeBody::inverse_mass() const { return freedoms_.along / mass_.mass; }
 
 Eigen::Matrix3d FreeBody::inverse_inertia() const {
-  if (freedom_ == Freedom::kAll) return inertia().inverse();
-  // The yaw rate is led, so it does not change, whatever the moment: the tilts answer alone.
-  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
-  inverse.topLeftCorner<2, 2>() = inertia().topLeftCorner<2, 2>().inverse();
+  if (freedoms_.turns_freely()) return inertia().inverse();
+  // Rates about axes that are not free do not change, whatever the moment: the others answer alone. The inertia of the
+  // former is set to 1 without products, so that the inverse falls apart, and then taken out of it.
+  Eigen::Matrix3d inertia_of_free = inertia();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (freedoms_.about[axis] > 0.0) continue;
+    inertia_of_free.row(axis).setZero();
+    inertia_of_free.col(axis).setZero();
+    inertia_of_free(axis, axis) = 1.0;
+  }
+  Eigen::Matrix3d inverse = inertia_of_free.inverse();
+  for (int axis = 0; axis < 3; ++axis)
+    if (freedoms_.about[axis] == 0.0) inverse(axis, axis) = 0.0;
   return inverse;
 }
 
@@ -35,12 +41,12 @@ void FreeBody::drift(double dt) {
   const Eigen::Vector3d momentum = angular_momentum();
   centre_ += dt * velocity_;
   orientation_ = (rotation_of(dt * angular_velocity_) * orientation_).normalized();
-  if (freedom_ == Freedom::kAll) angular_velocity_ = inverse_inertia() * momentum;
+  if (freedoms_.turns_freely()) angular_velocity_ = inverse_inertia() * momentum;
 }
 
 void FreeBody::predict(double dt, double gravity, Order order) {
   if (order == Order::kDriftFirst) drift(dt);
-  velocity_.z() -= dt * gravity;
+  velocity_.z() -= dt * gravity * freedoms_.along.z();
   if (order == Order::kGravityFirst) drift(dt);
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -122,6 +123,36 @@ MassSettings read_mass_entry(const FieldReader& entry) {
   return mass;
 }
 
+/// Whether the axes of the body at the start point along x and y, where its bow points there.
+bool is_square(const Eigen::Quaterniond& orientation) {
+  const Eigen::Vector3d bow = orientation * Eigen::Vector3d::UnitX();
+  const double across = std::min(std::abs(bow.x()), std::abs(bow.y()));
+  return across <= 1e-6 * std::hypot(bow.x(), bow.y());
+}
+
+/// From motions along and about the axes of the body at the start to those of the world.
+void read_freedoms(const FieldReader& reader, BodySettings& body) {
+  const std::vector<int> free = reader.read_enums("free");
+  if (!reader.has("free")) return;
+  const auto has = [&free](int motion) { return std::find(free.begin(), free.end(), motion) != free.end(); };
+  using Body = proto::v1::Body;
+  if (has(Body::FREEDOM_DEFAULT))
+    reader.fault("free", "FREEDOM_DEFAULT is no motion; allowed: SURGE, SWAY, HEAVE, ROLL, PITCH, YAW");
+  const bool one_way = has(Body::SURGE) != has(Body::SWAY), one_tilt = has(Body::ROLL) != has(Body::PITCH);
+  if ((one_way || one_tilt) && !is_square(body.orientation))
+    reader.fault("free", std::string(one_way ? "SURGE and SWAY" : "ROLL and PITCH") +
+                             " differ and the bow points neither along x nor along y; allowed: with heading_deg 0, 90, "
+                             "180 or 270");
+  const Eigen::Vector3d bow = body.orientation * Eigen::Vector3d::UnitX();
+  const bool along_x = std::abs(bow.x()) > std::abs(bow.y());
+  const auto flags = [along_x](bool ahead, bool aside, bool up) {
+    const Eigen::Vector3d own(ahead ? 1.0 : 0.0, aside ? 1.0 : 0.0, up ? 1.0 : 0.0);
+    return along_x ? own : Eigen::Vector3d(own.y(), own.x(), own.z());
+  };
+  body.freedoms.along = flags(has(Body::SURGE), has(Body::SWAY), has(Body::HEAVE));
+  body.freedoms.about = flags(has(Body::ROLL), has(Body::PITCH), has(Body::YAW));
+}
+
 /// What only bodies have that the water pushes.
 void read_freedom(const FieldReader& reader, BodySettings& body) {
   if (reader.has("mass")) body.mass = read_mass_entry(reader.child("mass"));
@@ -132,7 +163,8 @@ void read_freedom(const FieldReader& reader, BodySettings& body) {
   if (!is_free(body.drive) && reader.has("mass"))
     reader.fault("mass",
                  "is given to a body that the water does not push; allowed: with drive FREE or POSE_HORIZONTAL");
-  for (const char* name : {"velocity", "free_from"})
+  read_freedoms(reader, body);
+  for (const char* name : {"velocity", "free_from", "free"})
     if (body.drive != BodyDrive::kFree && reader.has(name))
       reader.fault(name, "is given to a body that is not free; allowed: with drive FREE");
 }

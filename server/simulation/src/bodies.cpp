@@ -39,10 +39,6 @@ BodyShape shape_of(const BodySettings& settings, double spacing) {
                          settings.sample_inset);
 }
 
-FreeBody::Freedom freedom_of(BodyDrive drive) {
-  return drive == BodyDrive::kFree ? FreeBody::Freedom::kAll : FreeBody::Freedom::kHeaveRollPitch;
-}
-
 /// A jump may land on water that stands where the body was before: mapped again, at most so many times.
 constexpr int kRelocations = 8;
 
@@ -93,6 +89,10 @@ Eigen::AlignedBox3d patch_around(const Scene& scene, const BodyState& state, dou
 
 constexpr double kHullOverlap = 0.5;  ///< spacings that a body may stand in another's hull at the start
 
+Freedoms freedoms_of(const BodySettings& body) {
+  return body.drive == BodyDrive::kFree ? body.freedoms : Freedoms::heave_roll_pitch();
+}
+
 }  // namespace
 
 Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, Refusals& faults)
@@ -109,7 +109,7 @@ Bodies::Bodies(TaskPool& pool, const Scene& scene, double support_radius, Refusa
     if (is_free(settings.drive)) {
       body.state.velocity = settings.velocity;
       body.held = settings.free_from > 0.0;
-      body.free.emplace(body.state, body_mass(settings.mass, body.shape.solid), freedom_of(settings.drive));
+      body.free.emplace(body.state, body_mass(settings.mass, body.shape.solid), freedoms_of(settings));
     }
     add_surface(pool, scene, support_radius, body);
     bodies_.push_back(std::move(body));
@@ -148,7 +148,7 @@ void Bodies::make_contacts(const Scene& scene) {
   }
   for (Body& body : bodies_) {
     if (body.free)
-      body.hull = contacts.add_free(body.shape.mesh, body.free->mass(), body.free->freedom());
+      body.hull = contacts.add_free(body.shape.mesh, body.free->mass(), body.free->freedoms());
     else if (body.driven)
       body.hull = contacts.add_driven(body.shape.mesh);
     else

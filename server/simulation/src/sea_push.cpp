@@ -11,8 +11,6 @@ namespace pelagos {
 
 namespace {
 
-constexpr std::array kLed = {0, 1, 5};  ///< of bodies that heave, roll and pitch alone
-
 Matrix6d blocks(const Eigen::Matrix3d& along, const Eigen::Matrix3d& about) {
   Matrix6d both = Matrix6d::Zero();
   both.topLeftCorner<3, 3>() = along;
@@ -81,13 +79,13 @@ Vector6d sea_push(const SeaBody& sea_body, const FreeBody& body, const SeaLoad& 
   rate[2] += sea.gravity;
   Vector6d push = dt * (load.force + m.added * rate + m.damping * (load.water - velocity) + load.drag);
   Matrix6d all = m.mass + m.added + dt * (m.damping + load.drag_rate) + 0.25 * dt * dt * m.stiffness;
-  if (body.freedom() == FreeBody::Freedom::kHeaveRollPitch)
-    for (const int led : kLed) {
-      all.row(led).setZero();
-      all.col(led).setZero();
-      all(led, led) = 1.0;
-      push[led] = 0.0;
-    }
+  for (int motion = 0; motion < 6; ++motion) {
+    if (body.freedoms().has(motion)) continue;
+    all.row(motion).setZero();
+    all.col(motion).setZero();
+    all(motion, motion) = 1.0;
+    push[motion] = 0.0;
+  }
   return all.ldlt().solve(push);
 }
 
@@ -95,8 +93,8 @@ Vector6d impulse_of(const FreeBody& body, const Vector6d& push, const Vector6d& 
   const Eigen::Matrix3d turn = body.orientation().toRotationMatrix();
   Vector6d impulse;
   impulse << body.mass().mass * push.head<3>(), turn * (body.mass().inertia * (turn.transpose() * push.tail<3>()));
-  if (body.freedom() == FreeBody::Freedom::kHeaveRollPitch)
-    for (const int led : kLed) impulse[led] = on_led[led];
+  for (int motion = 0; motion < 6; ++motion)
+    if (!body.freedoms().has(motion)) impulse[motion] = on_led[motion];
   return impulse;
 }
 

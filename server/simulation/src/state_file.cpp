@@ -12,7 +12,7 @@ namespace pelagos {
 
 namespace {
 
-constexpr std::array<char, 8> kMark = {'P', 'E', 'L', 'A', 'G', 'O', 'S', 2};
+constexpr std::array<char, 8> kMark = {'P', 'E', 'L', 'A', 'G', 'O', 'S', 3};
 constexpr std::size_t kSizeAt = 8, kHashAt = 16, kLayoutAt = 24, kHeader = 32;
 
 std::uint64_t hash_of(std::span<const std::byte> bytes) {

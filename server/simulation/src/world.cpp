@@ -473,7 +473,11 @@ std::uint64_t hash_of_bodies(const Scene& scene, const Bodies& bodies, const Flu
   std::vector<std::array<int, 3>> nodes;
   for (const Solid& solid : fluid.solids)
     nodes.push_back({solid.field->nodes[0], solid.field->nodes[1], solid.field->nodes[2]});
-  return hash_together(drives, std::uint64_t{bodies.sample_count()}, nodes);
+  std::vector<double> freedoms;
+  for (const BodySettings& body : scene.bodies)
+    for (const Eigen::Vector3d& motions : {body.freedoms.along, body.freedoms.about})
+      freedoms.insert(freedoms.end(), motions.begin(), motions.end());
+  return hash_together(drives, std::uint64_t{bodies.sample_count()}, nodes, freedoms);
 }
 
 }  // namespace

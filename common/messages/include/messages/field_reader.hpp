@@ -63,6 +63,8 @@ class FieldReader {
   bool read(const char* name, const Range& range, Eigen::Vector3d& value) const;
   /// The number of an enum's value; 0 if absent.
   [[nodiscard]] int read_enum(const char* name) const;
+  /// Those of a repeated enum, in their order, each once at most.
+  [[nodiscard]] std::vector<int> read_enums(const char* name) const;
 
   /// Notes a fault if the field is absent. @return whether it is there
   bool require(const char* name) const;
@@ -83,6 +85,7 @@ class FieldReader {
   [[nodiscard]] const Field& field(const char* name) const;
   [[nodiscard]] std::string path_of(const char* name) const;
   [[nodiscard]] int line_of(const Field& field, int index) const;
+  [[nodiscard]] bool check_enum(const char* name, int number) const;
   bool check(const char* name, double value, const Range& range) const;
   void note_unknown_fields() const;
 

@@ -14,6 +14,7 @@
 #include "values/command.hpp"
 #include "values/current.hpp"
 #include "values/frame_times.hpp"
+#include "values/freedoms.hpp"
 #include "values/height_grid.hpp"
 #include "values/oil.hpp"
 #include "values/probe.hpp"
@@ -186,6 +187,7 @@ struct BodySettings {
   BodyDrive drive = BodyDrive::kPose;
   HoldStart hold = HoldStart::kDefault;
   MassSettings mass;                                                ///< of free bodies
+  Freedoms freedoms;                                                ///< of bodies that the water pushes
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();               ///< m/s, world, at the start; of free bodies
   double free_from = 0.0;                                           ///< s, simulated: they hold their place until then
   Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< m, world frame, of the body's origin

@@ -89,7 +89,7 @@ class BodyContacts {
   /// A hull that is moved by others and gives way to nothing. Returns its number among the moving ones.
   std::size_t add_driven(const TriangleMesh& mesh);
   /// A hull that gives way.
-  std::size_t add_free(const TriangleMesh& mesh, const BodyMass& mass, FreeBody::Freedom freedom);
+  std::size_t add_free(const TriangleMesh& mesh, const BodyMass& mass, const Freedoms& freedoms = {});
 
   /// Says where a moving hull is: of a driven one its origin and the velocities there, of a free one that of `body`.
   void place_driven(std::size_t hull, const BodyState& state);

@@ -31,7 +31,7 @@ struct StateOrigin {
 [[nodiscard]] StateOrigin state_origin(const World& world);
 
 /// A state as a file:
-///   bytes 0 to 7    "PELAGOS" and the format's number, 2
+///   bytes 0 to 7    "PELAGOS" and the format's number, 3
 ///   bytes 8 to 15   size of the whole file, bytes
 ///   bytes 16 to 23  XXH3 of all that follows
 ///   bytes 24 to 31  hash of the names and types of the state's fields
