@@ -63,6 +63,22 @@ TEST_F(CtlSea, SendsItByScaleBySpectrumAndFlat) {
   EXPECT_EQ(ask({"sea", "--beaufort", "6", "--to", "90", "--at", "60"}).out, "scheduled as 1\n");
 }
 
+TEST_F(CtlSea, SendsOneThatTheWindRaises) {
+  const SetSea alone = given({"sea", "--wind-sea"});
+  EXPECT_TRUE(alone.sea.systems.empty());
+  ASSERT_TRUE(alone.sea.wind_sea.has_value());
+  EXPECT_EQ(alone.sea.wind_sea->fetch, 300e3);
+  EXPECT_FALSE(alone.sea.wind_sea->blown_for.has_value());
+  const SetSea both =
+      given({"sea", "--wind-sea", "--fetch", "50000", "--blown-for", "7200", "--pace", "10", "--swell", "1,12,300"});
+  EXPECT_EQ(both.sea.systems.size(), 1U);
+  EXPECT_EQ(both.sea.wind_sea->fetch, 50e3);
+  EXPECT_EQ(both.sea.wind_sea->blown_for, 7200.0);
+  EXPECT_EQ(both.sea.wind_sea->pace, 10.0);
+  EXPECT_THAT(ask({"sea", "--beaufort", "4", "--to", "0", "--fetch", "50000"}).err,
+              HasSubstr("--fetch is given without --wind-sea"));
+}
+
 TEST_F(CtlSea, RefusesWhatIsNoSea) {
   for (const char* text : {"1", "1,12", "1,12,300,4", "1,12,west", ",,", "", "1 12 300", "nan,12,300"}) {
     const Outcome outcome = ask({"sea", std::string("--swell=") + text});
@@ -93,7 +109,7 @@ TEST_F(CtlSea, IsToldByTheStatus) {
   system.period = 7.0;
   system.to_deg = 250.0;
   const WaveField sea({{1.0F, 0.1F, 0.99F, 0.0F, 0.0F}}, 0.0);
-  status_.sea = sea_status(sea, 3.0, SeaRequest{{{system}, 100, 4, 0.0}, 0.25});
+  status_.sea = sea_status(sea, 3.0, SeaRequest{{{system}, 100, 4, 0.0, {}}, 0.25});
   EXPECT_THAT(
       ask({"status"}).out,
       HasSubstr("(62.83 m); asked for: wind sea JONSWAP, Hs 2 m, Tp 7 s, to 250 deg, gamma 3.3, spreading 10 at the "

@@ -180,19 +180,27 @@ TEST_P(SetSeaFault, NamesLineFieldAndWhatIsAllowed) { test::expect_only_fault(Ge
 
 INSTANTIATE_TEST_SUITE_P(
     Fields, SetSeaFault,
-    testing::Values(FaultCase{"Empty", "event { at: 1 set_sea { blend: 5 } }", "event[0].set_sea.system",
-                              "is missing; allowed: 1 to 8 systems, and for a flat sea set_waves { flat: true }"},
-                    FaultCase{"BlendLong", "event { at: 1 set_sea { system { beaufort: 4 to_deg: 0 } blend: 3601 } }",
-                              "event[0].set_sea.blend", "0 to 3600 s"},
-                    FaultCase{"BesideBeaufort", "far_sea { beaufort: 4 system { beaufort: 4 to_deg: 0 } }",
-                              "far_sea.beaufort", "is given beside systems; allowed: one or the other"},
-                    FaultCase{"BesideDirection", "far_sea { wave_to_deg: 4 system { beaufort: 4 to_deg: 0 } }",
-                              "far_sea.wave_to_deg", "is given beside systems"},
-                    FaultCase{"BesideWaves",
-                              "far_sea { wave { amplitude: 1 length: 60 to_deg: 0 } "
-                              "system { beaufort: 4 to_deg: 0 } }",
-                              "far_sea.system", "is given beside waves"},
-                    FaultCase{"SeedOfBeaufort", "far_sea { beaufort: 4 seed: 3 }", "far_sea.seed", "is of systems"}),
+    testing::Values(
+        FaultCase{"Empty", "event { at: 1 set_sea { blend: 5 } }", "event[0].set_sea.system",
+                  "is missing; allowed: 1 to 8 systems, or wind_sea, and for a flat sea set_waves { flat: true }"},
+        FaultCase{"BlendLong", "event { at: 1 set_sea { system { beaufort: 4 to_deg: 0 } blend: 3601 } }",
+                  "event[0].set_sea.blend", "0 to 3600 s"},
+        FaultCase{"BesideBeaufort", "far_sea { beaufort: 4 system { beaufort: 4 to_deg: 0 } }", "far_sea.beaufort",
+                  "is given beside systems; allowed: one or the other"},
+        FaultCase{"BesideDirection", "far_sea { wave_to_deg: 4 system { beaufort: 4 to_deg: 0 } }",
+                  "far_sea.wave_to_deg", "is given beside systems"},
+        FaultCase{"BesideWaves",
+                  "far_sea { wave { amplitude: 1 length: 60 to_deg: 0 } "
+                  "system { beaufort: 4 to_deg: 0 } }",
+                  "far_sea.system", "is given beside waves"},
+        FaultCase{"BeaufortBesideWindSea", "far_sea { beaufort: 4 wind_sea { } }", "far_sea.beaufort",
+                  "is given beside wind_sea"},
+        FaultCase{"WavesBesideWindSea", "far_sea { wave { amplitude: 1 length: 60 to_deg: 0 } wind_sea { } }",
+                  "far_sea.wind_sea", "is given beside waves"},
+        FaultCase{"FetchShort", "far_sea { wind_sea { fetch: 10 } }", "far_sea.wind_sea.fetch", "1000 to 2000000 m"},
+        FaultCase{"PaceOfNothing", "event { at: 1 set_sea { wind_sea { pace: 0 } } }", "event[0].set_sea.wind_sea.pace",
+                  "0.1 to 100"},
+        FaultCase{"SeedOfBeaufort", "far_sea { beaufort: 4 seed: 3 }", "far_sea.seed", "is of systems"}),
     [](const auto& entry) { return entry.param.name; });
 
 }  // namespace

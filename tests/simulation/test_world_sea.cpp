@@ -25,7 +25,7 @@ SeaSettings sea_of(double height, double period = 6.0) {
   system.height = height;
   system.period = period;
   system.to_deg = 250.0;
-  return {{system}, 60, {}, 0.0};
+  return {{system}, 60, {}, 0.0, {}};
 }
 
 Scene patch_in_a_sea() {
@@ -84,6 +84,62 @@ TEST(WorldSea, AndItsRequestArePartOfTheState) {
   one.restore(other.state());
   ASSERT_TRUE(one.sea_request().has_value());
   EXPECT_EQ(one.sea_request()->settings.systems[0].height, 0.8) << "so that the status can tell it";
+}
+
+/// A patch of 8 x 8 x 4 m with a wind whose sea grows a hundred times as fast as in nature.
+Scene patch_in_a_wind() {
+  Scene scene;
+  scene.name = "wind sea";
+  scene.particle_spacing = 1.0;
+  scene.patch = {{0, 0, 0}, {8, 8, 8}};
+  scene.patch_edges = {PatchEdge::kMirror, PatchEdge::kMirror, PatchEdge::kMirror};
+  scene.water.blocks = {{{0, 0, 0}, {8, 8, 4}}};
+  scene.wind.emplace();
+  scene.wind->velocity = {12.0, 0.0, 0.0};
+  scene.far_sea.sea.emplace();
+  scene.far_sea.sea->components = 40;
+  scene.far_sea.sea->wind_sea = WindSeaSettings{100e3, 3600.0, 100.0};
+  return scene;
+}
+
+TEST(WorldSea, GrowsWithTheWind) {
+  World world(patch_in_a_wind(), {1, nullptr, {}});
+  const SteadyWind wind{12.0, 90.0};
+  const WindSeaSettings& settings = *world.scene().far_sea.sea->wind_sea;
+  WindSea expected = start_wind_sea(settings, wind, kStandardGravity);
+  EXPECT_NEAR(height_of(world), expected.height, 1e-3);
+  EXPECT_NEAR(world.sea_request()->settings.systems.at(0).to_deg, 90.0, 1e-9);
+  int renewals = 0;
+  while (world.time() < 31.0) {
+    const bool renewed = world.advance({}).sea_renewed;
+    EXPECT_EQ(renewed, world.sea().layers().size() == 2U && renewals == 0);
+    renewals += renewed ? 1 : 0;
+  }
+  EXPECT_EQ(renewals, 1);
+  expected = wind_sea_after(expected, settings, wind, 30.0, kStandardGravity);
+  EXPECT_NEAR(height_of(world), expected.height, 1e-3);
+  EXPECT_GT(expected.height, 1.2 * start_wind_sea(settings, wind, kStandardGravity).height);
+}
+
+TEST(WorldSea, GrowsOnFromAFile) {
+  Scene scene = patch_in_a_wind();
+  scene.far_sea.sea->wind_sea->blown_for.reset();
+  World one(scene, {1, nullptr, {}}), other(scene, {1, nullptr, {}});
+  SeaSettings grown = *scene.far_sea.sea;
+  ASSERT_EQ(test::give(other, (SetSea{grown, 0.0})), std::nullopt);
+  EXPECT_NEAR(height_of(other), height_of(one), 1e-6) << "a sea that grows goes on as it is";
+  grown.wind_sea->blown_for = 600.0;
+  ASSERT_EQ(test::give(other, (SetSea{grown, 0.0})), std::nullopt);
+  EXPECT_LT(height_of(other), 0.7 * height_of(one));
+  one.restore(other.state());
+  while (one.time() < 30.5) {
+    (void)one.advance({});
+    (void)other.advance({});
+  }
+  EXPECT_EQ(test::first_difference(one, other), "");
+  ASSERT_EQ(test::give(one, (SetWaves{{}, 0.0})), std::nullopt);
+  while (one.time() < 61.0) (void)one.advance({});
+  EXPECT_TRUE(one.sea().components().empty()) << "other waves end its growth";
 }
 
 TEST(WorldSea, IsRefusedWithTheValueAndWhatIsAllowed) {

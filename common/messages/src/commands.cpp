@@ -107,8 +107,9 @@ void write(const SetWaves& command, proto::v1::TimedCommand& message) {
 
 Command read_set_sea(const FieldReader& reader) {
   SetSea command;
-  if (!reader.has("system"))
-    reader.fault("system", "is missing; allowed: 1 to 8 systems, and for a flat sea set_waves { flat: true }");
+  if (!reader.has("system") && !reader.has("wind_sea"))
+    reader.fault("system",
+                 "is missing; allowed: 1 to 8 systems, or wind_sea, and for a flat sea set_waves { flat: true }");
   command.sea = read_sea(reader);
   reader.read("blend", limits::kBlend, command.blend_seconds);
   return command;
@@ -120,6 +121,7 @@ void write(const SetSea& command, proto::v1::TimedCommand& message) {
   out.set_components(command.sea.components);
   if (command.sea.seed) out.set_seed(*command.sea.seed);
   if (command.sea.shortest_length > 0.0) out.set_shortest_length(command.sea.shortest_length);
+  if (command.sea.wind_sea) write_wind_sea(*command.sea.wind_sea, *out.mutable_wind_sea());
   out.set_blend(command.blend_seconds);
 }
 

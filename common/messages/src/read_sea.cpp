@@ -117,6 +117,15 @@ WaveSystem read_system(const FieldReader& reader) {
   return system;
 }
 
+WindSeaSettings read_wind_sea(const FieldReader& reader) {
+  WindSeaSettings sea;
+  reader.read("fetch", limits::kFetch, sea.fetch);
+  double blown_for = 0.0;
+  if (reader.read("blown_for", limits::kBlownFor, blown_for)) sea.blown_for = blown_for;
+  reader.read("pace", limits::kPaceOfSea, sea.pace);
+  return sea;
+}
+
 }  // namespace
 
 SeaSettings read_sea(const FieldReader& reader) {
@@ -131,6 +140,7 @@ SeaSettings read_sea(const FieldReader& reader) {
   std::uint64_t seed = 0;
   if (reader.read("seed", seed)) sea.seed = seed;
   reader.read("shortest_length", limits::kWaveLength, sea.shortest_length);
+  if (reader.has("wind_sea")) sea.wind_sea = read_wind_sea(reader.child("wind_sea"));
   return sea;
 }
 

@@ -70,4 +70,10 @@ void write_wave_system(const WaveSystem& system, proto::v1::WaveSystem& out) {
   if (system.spectrum == SpectrumKind::kOchiHubble) out.set_shape(system.shape);
 }
 
+void write_wind_sea(const WindSeaSettings& sea, proto::v1::WindSea& out) {
+  out.set_fetch(sea.fetch);
+  if (sea.blown_for) out.set_blown_for(*sea.blown_for);
+  out.set_pace(sea.pace);
+}
+
 }  // namespace pelagos

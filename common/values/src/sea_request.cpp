@@ -62,6 +62,7 @@ Fault find_too_high(const SeaSettings& sea) {
 Fault find_too_few_components(const SeaSettings& sea) {
   std::size_t needed = 0;
   for (const WaveSystem& system : sea.systems) needed += system.height > 0.0 ? 1 : 0;
+  needed += sea.wind_sea ? 1 : 0;
   if (sea.components >= needed) return {};
   return Refusal{"components", fmt::format("{} are too few for {} systems; allowed: {} to {}", sea.components, needed,
                                            needed, kMostWaves)};
@@ -142,12 +143,12 @@ std::string describe_system(const WaveSystem& system) {
   if (is_regular(system))
     return fmt::format("regular wave of {:g} m, {:g} s, to {:03.0f} deg", system.height, system.period, system.to_deg);
   std::string text = is_swell(system) ? "swell " : "wind sea ";
-  text += name_of(system.spectrum) + describe_scale(system) + fmt::format(", Hs {:g} m", system.height);
-  text += system.period > 0.0 ? fmt::format(", {} {:g} s", name_of(system.period_kind), system.period)
+  text += name_of(system.spectrum) + describe_scale(system) + fmt::format(", Hs {:.4g} m", system.height);
+  text += system.period > 0.0 ? fmt::format(", {} {:.4g} s", name_of(system.period_kind), system.period)
                               : std::string(", fully developed");
   text += fmt::format(", to {:03.0f} deg", system.to_deg);
   if (system.spectrum == SpectrumKind::kJonswap || system.spectrum == SpectrumKind::kTma)
-    text += fmt::format(", gamma {:g}", system.gamma);
+    text += fmt::format(", gamma {:.3g}", system.gamma);
   if (system.spectrum == SpectrumKind::kOchiHubble) text += fmt::format(", shape {:g}", system.shape);
   return text + describe_spreading(system);
 }
@@ -156,6 +157,11 @@ std::string describe_sea(const SeaSettings& sea) {
   std::string text;
   for (const WaveSystem& system : sea.systems) text += (text.empty() ? "" : "; ") + describe_system(system);
   if (sea.shortest_length > 0.0) text += fmt::format("; without waves under {:g} m", sea.shortest_length);
+  if (sea.wind_sea)
+    text += fmt::format(
+        "{}with the wind over a fetch of {:g} km{}", text.empty() ? "a sea that grows " : "; it grows ",
+        1e-3 * sea.wind_sea->fetch,
+        sea.wind_sea->pace == 1.0 ? "" : fmt::format(", {:g} times as fast as in nature", sea.wind_sea->pace));
   return text;
 }
 

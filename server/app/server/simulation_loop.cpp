@@ -152,6 +152,7 @@ void SimulationLoop::stand_still() {
 void SimulationLoop::make_step() {
   const std::int64_t begin = monotonic_ns();
   WorldStep step = parts_.world.advance();
+  if (step.sea_renewed) parts_.publisher.publish_sea(parts_.world.sea());
   parts_.announcer.set_moment(parts_.world.step(), parts_.world.time());
   if (step.frame_reached) publish_frame(step.report);
   const double busy = static_cast<double>(monotonic_ns() - begin) * 1e-9;

@@ -64,6 +64,15 @@ void SeaCommand::add_to(CLI::App& app) {
                   help_with("The same by frequency, s at the peak", limits::kSpreading, "10"));
   sea->add_flag("--long-crested", long_crested, "All waves run in one direction");
   sea->add_option("--swell", swell, "HS,TP,TO of each swell beside the sea, or alone: m, s, degrees it runs TOWARDS");
+  sea->add_flag("--wind-sea", wind_sea, "A sea that grows, turns and dies down with the wind");
+  sea->add_option("--fetch", fetch, help_with("Of the wind sea: open water upwind, m", limits::kFetch, "300000"));
+  sea->add_option(
+      "--blown-for", blown_for,
+      help_with("Of the wind sea: s that the wind has blown already (else the present one goes on, or it is "
+                "as high as the fetch allows)",
+                limits::kBlownFor));
+  sea->add_option("--pace", pace,
+                  help_with("Of the wind sea: how many times as fast as in nature", limits::kPaceOfSea, "1"));
   sea->add_option("--components", components, help_with("Wave components in all", limits::kSeaComponents, "100"));
   sea->add_option("--seed", seed, "Of phases and directions (else the scene's)");
   sea->add_option("--shortest", shortest, help_with("Leave out waves shorter than this, m", limits::kWaveLength));
@@ -83,6 +92,7 @@ std::string SeaCommand::usage_fault() const {
         return "sea: --off is given beside " + option->get_name() + "; allowed: --blend and --at" + help;
     return "";
   }
+  if (const std::string fault = fault_of_wind_sea(); !fault.empty()) return fault + help;
   if (has_main_system()) return "";
   for (const char* option : kMainOptions)
     if (given(option))
@@ -90,8 +100,22 @@ std::string SeaCommand::usage_fault() const {
              " is given without a height; required: --hs, --douglas or "
              "--beaufort" +
              help;
-  if (!swell.empty()) return "";
-  return "sea: say which, e.g. --hs 2 --tp 7 --to 250 --blend 60, or --beaufort 6 --to 90, or --off" + help;
+  if (!swell.empty() || wind_sea) return "";
+  return "sea: say which, e.g. --hs 2 --tp 7 --to 250 --blend 60, or --beaufort 6 --to 90, or --wind-sea, or --off" +
+         help;
+}
+
+std::string SeaCommand::fault_of_wind_sea() const {
+  if (wind_sea) return "";
+  for (const char* option : {"--fetch", "--blown-for", "--pace"})
+    if (given(option)) return std::string("sea: ") + option + " is given without --wind-sea";
+  return "";
+}
+
+void SeaCommand::fill_wind_sea(proto::v1::WindSea& out) const {
+  if (given("--fetch")) out.set_fetch(fetch);
+  if (given("--blown-for")) out.set_blown_for(blown_for);
+  if (given("--pace")) out.set_pace(pace);
 }
 
 void SeaCommand::fill_main_system(WaveSystem& out) const {
@@ -119,6 +143,7 @@ std::string SeaCommand::fill(proto::v1::TimedCommand& out) const {
   }
   proto::v1::SetSea& set = *out.mutable_set_sea();
   if (has_main_system()) fill_main_system(*set.add_system());
+  if (wind_sea) fill_wind_sea(*set.mutable_wind_sea());
   for (const std::string& text : swell)
     if (!read_swell(text, *set.add_system()))
       return "sea: --swell " + text + " is no swell; allowed: HS,TP,TO, e.g. 1.5,12,300";

@@ -20,7 +20,9 @@ struct SeaCommand {
   std::uint32_t components = 0;
   std::uint64_t seed = 0;
   double shortest = 0.0;  ///< m
-  double blend = 0.0;     ///< s
+  bool wind_sea = false;
+  double fetch = 0.0, blown_for = 0.0, pace = 0.0;  ///< m; s; 1: as in nature
+  double blend = 0.0;                               ///< s
   bool off = false;
 
   void add_to(CLI::App& app);
@@ -32,7 +34,9 @@ struct SeaCommand {
  private:
   [[nodiscard]] bool given(const char* option) const { return sea->count(option) > 0; }
   [[nodiscard]] bool has_main_system() const;
+  [[nodiscard]] std::string fault_of_wind_sea() const;
   void fill_main_system(proto::v1::WaveSystem& out) const;
+  void fill_wind_sea(proto::v1::WindSea& out) const;
 };
 
 }  // namespace pelagos

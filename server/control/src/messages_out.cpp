@@ -97,6 +97,7 @@ void fill(const SeaRequest& from, proto::v1::SeaStatus& to) {
   for (const WaveSystem& system : from.settings.systems) write_wave_system(system, *to.add_system());
   if (from.settings.seed) to.set_seed(*from.settings.seed);
   if (from.left_out > 0.0) to.set_left_out_height(from.left_out);
+  if (from.settings.wind_sea) write_wind_sea(*from.settings.wind_sea, *to.mutable_wind_sea());
   to.set_words(describe_sea(from.settings));
 }
 

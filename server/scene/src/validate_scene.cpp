@@ -201,9 +201,12 @@ void check_ways_of_far_sea(const FieldReader& entry) {
         entry.fault(field, std::string("is given beside ") + named + "; allowed: one or the other");
   };
   refuse_beside("wave", "waves", {"beaufort", "wave_to_deg", "components"});
+  refuse_beside("wave", "waves", {"wind_sea"});
   refuse_beside("system", "systems", {"beaufort", "wave_to_deg"});
+  refuse_beside("wind_sea", "wind_sea", {"beaufort", "wave_to_deg"});
   for (const char* field : {"seed", "shortest_length"})
-    if (!entry.has("system") && entry.has(field)) entry.fault(field, "is of systems; allowed: with system { }");
+    if (!entry.has("system") && !entry.has("wind_sea") && entry.has(field))
+      entry.fault(field, "is of systems; allowed: with system { } or wind_sea { }");
 }
 
 void read_far_sea(const FieldReader& reader, double gravity, FarSeaSettings& far_sea) {
@@ -211,7 +214,7 @@ void read_far_sea(const FieldReader& reader, double gravity, FarSeaSettings& far
   const std::size_t faults = entry.fault_count();
   check_ways_of_far_sea(entry);
   far_sea.waves = read_waves(entry);
-  const bool by_systems = entry.has("system");
+  const bool by_systems = entry.has("system") || entry.has("wind_sea");
   if (by_systems) far_sea.sea = read_sea(entry);
   std::optional<Refusal> refusal;
   if (entry.fault_count() == faults)

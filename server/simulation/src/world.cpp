@@ -113,6 +113,7 @@ World::World(const Scene& scene, const WorldOptions& options, const SceneSea& se
       water_level_(start_level(*pool_, scene, bodies_, fluid_, frame_, open_sea_)),
       sea_(sea.at_level(water_level_)),
       sea_request_(sea.request),
+      growing_sea_(sea.growing),
       water_surface_(*pool_, {frame_, fluid_.parameters.patch, blend_of(open_sea_)}),
       drive_(scene, frame_, water_level_, fluid_.particles.count),
       surface_(scene.surface, surface_scales(fluid_.parameters)),
@@ -189,6 +190,7 @@ void World::settle() {
 WorldStep World::advance(const StepInputs& inputs) {
   WorldStep step;
   step.outcomes = take(inputs);
+  step.sea_renewed = grow_sea();
   renew_edges();
   const double dt = choose_step();
   follow(dt);
@@ -407,6 +409,7 @@ void World::copy_what_inputs_change(WorldState& state) const {
   state.current = current_;
   state.sea = sea_;
   state.sea_request = sea_request_;
+  state.growing_sea = growing_sea_;
   state.probes = probes_.settings();
   state.effort = effort();
 }
@@ -445,6 +448,7 @@ void World::restore(const WorldState& state) {
   current_ = state.current;
   sea_ = state.sea;
   sea_request_ = state.sea_request;
+  growing_sea_ = state.growing_sea;
   probes_.restore(state.probes);
   surface_.restore_foam(state.foam);
   set_effort(state.effort);

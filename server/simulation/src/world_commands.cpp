@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "simulation/growing_sea.hpp"
 #include "simulation/scene_sea.hpp"
 #include "simulation/world.hpp"
 #include "values/command_surroundings.hpp"
@@ -64,13 +65,12 @@ std::optional<Refusal> World::apply_valid(const Command& command) {
       return {};
     }
     Answer operator()(const SetWaves& c) const {
-      return world.exchange_sea(wave_components(c.waves, world.around_.gravity, world.sea_.depth()), c.blend_seconds,
-                                {});
+      Answer refusal =
+          world.exchange_sea(wave_components(c.waves, world.around_.gravity, world.sea_.depth()), c.blend_seconds, {});
+      if (!refusal) world.growing_sea_.reset();
+      return refusal;
     }
-    Answer operator()(const SetSea& c) const {
-      MadeSea made = make_sea(world.scene_, c.sea);
-      return world.exchange_sea(std::move(made.waves), c.blend_seconds, std::move(made.request));
-    }
+    Answer operator()(const SetSea& c) const { return world.set_sea(c); }
     Answer operator()(const SetEffort& c) const {
       world.set_effort(c.effort);
       return {};
@@ -149,6 +149,35 @@ std::optional<Refusal> World::exchange_sea(std::vector<WaveComponent> waves, dou
                  fmt::format("the sea is already changing into {} others, one after the other; allowed: {} changes at "
                              "a time. The next one can begin at {:.1f} s of simulated time, when one of them ends",
                              WaveField::kMostLayers - 1, WaveField::kMostLayers - 1, sea_.open_from())};
+}
+
+std::optional<Refusal> World::set_sea(const SetSea& command) {
+  const double gravity = around_.gravity, time = clock_.time();
+  std::optional<GrowingSea> growing;
+  if (const std::optional<WindSeaSettings>& wind_sea = command.sea.wind_sea) {
+    const SteadyWind wind = steady_wind(wind_ ? wind_->air().settings_at(time).velocity : Eigen::Vector3d::Zero());
+    const bool goes_on = growing_sea_ && !wind_sea->blown_for;
+    growing = start_growing(command.sea, goes_on ? growing_sea_->now : start_wind_sea(*wind_sea, wind, gravity), time);
+  }
+  MadeSea made = make_sea(scene_, growing ? present_sea(*growing, gravity) : command.sea);
+  if (auto refusal = exchange_sea(std::move(made.waves), command.blend_seconds, std::move(made.request)))
+    return refusal;
+  growing_sea_ = std::move(growing);
+  return {};
+}
+
+bool World::grow_sea() {
+  if (!growing_sea_ || clock_.time() < growing_sea_->renewal) return false;
+  GrowingSea& sea = *growing_sea_;
+  const SteadyWind wind =
+      steady_wind(wind_ ? wind_->air().settings_at(clock_.time()).velocity : Eigen::Vector3d::Zero());
+  sea.now = wind_sea_after(sea.now, *sea.asked.wind_sea, wind, kSeaRenewal, around_.gravity);
+  sea.renewal += kSeaRenewal;
+  if (!needs_renewal(sea)) return false;
+  MadeSea made = make_sea(scene_, present_sea(sea, around_.gravity));
+  if (exchange_sea(std::move(made.waves), kSeaRenewal, std::move(made.request))) return false;  // the next time, then
+  sea.shown = sea.now;
+  return true;
 }
 
 std::optional<WindSettings> World::wind() const {

@@ -39,6 +39,9 @@ inline constexpr Range kSpreading{1.0, 1000.0, "", "s of cos^2s(theta / 2)"};
 inline constexpr Range kGamma{1.0, 10.0};
 inline constexpr Range kShape{0.5, 20.0, "", "lambda of Ochi and Hubble"};
 inline constexpr Range kDouglas{0, 9, "degrees of the Douglas scale"};
+inline constexpr Range kFetch{1e3, 2e6, "m"};
+inline constexpr Range kBlownFor{0.0, 1e6, "s"};
+inline constexpr Range kPaceOfSea{0.1, 100.0};
 inline constexpr Range kSeaComponents{1, 512};
 inline constexpr Range kBlend{0.0, 3600.0, "s"};
 

@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "waves/wind_sea.hpp"
+
 namespace pelagos {
 
 /// How the energy of a system is spread over frequencies; see wave_spectrum.hpp.
@@ -61,9 +63,10 @@ inline constexpr double kWindSeaSpreading = 10.0;
 /// A sea as an instructor asks for it.
 struct SeaSettings {
   std::vector<WaveSystem> systems;
-  std::uint32_t components = 100;     ///< in all
-  std::optional<std::uint64_t> seed;  ///< none: the scene's
-  double shortest_length = 0.0;       ///< m: shorter waves are left out; 0: none are
+  std::uint32_t components = 100;                ///< in all
+  std::optional<std::uint64_t> seed;             ///< none: the scene's
+  double shortest_length = 0.0;                  ///< m: shorter waves are left out; 0: none are
+  std::optional<WindSeaSettings> wind_sea = {};  ///< beside the systems: the one that the wind raises
 
   template <class Self, class Visitor>
   static void visit_fields(Self& self, Visitor& visit) {
@@ -71,6 +74,7 @@ struct SeaSettings {
     visit("components", self.components);
     visit("seed", self.seed);
     visit("shortest_length", self.shortest_length);
+    visit("wind_sea", self.wind_sea);
   }
 };
 

@@ -33,10 +33,10 @@ enum class Scheme {
   kCorrected,  ///< repair of positions, then one velocity solve with corrected gradients and their exact adjoint
 };
 
-/// sqrt(g/d): the corrected scheme's filter takes slower rotation for noise, see VelocityGradients. Eddies of calm water
-/// turn with some 0.03; so water 15 layers deep came from a growing 0.04 to 0.012 sqrt(g d). All rotation, however fast,
-/// would give 0.010, but cost a spinning patch 1.5 % of its energy in place of 0.2 and Taylor-Green vortices half as much
-/// again of their rate.
+/// sqrt(g/d): the corrected scheme's filter takes slower rotation for noise, see VelocityGradients. Eddies of calm
+/// water turn with some 0.03; so water 15 layers deep came from a growing 0.04 to 0.012 sqrt(g d). All rotation,
+/// however fast, would give 0.010, but cost a spinning patch 1.5 % of its energy in place of 0.2 and Taylor-Green
+/// vortices half as much again of their rate.
 inline constexpr double kWeakRotation = 0.05;
 
 struct FluidParameters {
@@ -49,7 +49,7 @@ struct FluidParameters {
   Region patch;                                                      ///< m, local
   std::array<Edge, 3> edges{Edge::kWall, Edge::kWall, Edge::kWall};  ///< how the faces across x, y, z close the patch
   Scheme scheme = Scheme::kHybrid;
-  double filter = 3.0;  ///< corrected scheme: strength of the velocity filter, no unit
+  double filter = 3.0;                   ///< corrected scheme: strength of the velocity filter, no unit
   double weak_rotation = kWeakRotation;  ///< sqrt(g/d); 0: all rotation is kept
   SolveSettings density;
   SolveSettings divergence;

@@ -66,6 +66,7 @@ struct WorldStep {
   std::vector<CommandOutcome> outcomes;  ///< of the commands, in their order
   StepReport report;
   bool frame_reached = false;
+  bool sea_renewed = false;  ///< the wind has changed the sea: its waves are others from now on
   StepFault fault = StepFault::kNone;
 };
 
@@ -167,6 +168,9 @@ class World {
   [[nodiscard]] std::optional<Refusal> set_wind(const SetWind& command);
   [[nodiscard]] std::optional<Refusal> exchange_sea(std::vector<WaveComponent> waves, double blend_seconds,
                                                     std::optional<SeaRequest> request);
+  [[nodiscard]] std::optional<Refusal> set_sea(const SetSea& command);
+  /// @return whether the waves around are others from now on
+  bool grow_sea();
   void set_current(const CurrentSettings& current, double ramp_seconds);
   void clear_current();
   void set_effort(const Effort& effort);
@@ -209,6 +213,7 @@ class World {
   double water_level_ = 0.0;
   WaveField sea_;
   std::optional<SeaRequest> sea_request_;
+  std::optional<GrowingSea> growing_sea_;
   mutable WaterSurface water_surface_;  ///< of the particles as they are; mutable: it measures when asked
   std::optional<Wind> wind_;
   CurrentDrive drive_;

@@ -10,6 +10,7 @@
 #include "simulation/frame_clock.hpp"
 #include "simulation/oil_spill.hpp"
 #include "simulation/rim_gaps.hpp"
+#include "simulation/scene_sea.hpp"
 #include "surface/surface_extractor.hpp"
 #include "values/current.hpp"
 #include "values/effort.hpp"
@@ -64,6 +65,7 @@ struct WorldState {
   CurrentState current;
   WaveField sea;                                  ///< around the patch, with the blends that run
   std::optional<SeaRequest> sea_request;          ///< what its newest waves were made from
+  std::optional<GrowingSea> growing_sea;          ///< where the wind raises them
   std::map<std::uint32_t, ProbeSettings> probes;  ///< by id
   std::vector<FoamOfParticle> foam;               ///< by particle
   Effort effort;
@@ -83,6 +85,7 @@ struct WorldState {
     visit("current", self.current);
     visit("sea", self.sea);
     visit("sea_request", self.sea_request);
+    visit("growing_sea", self.growing_sea);
     visit("probes", self.probes);
     visit("foam", self.foam);
     visit("effort", self.effort);
