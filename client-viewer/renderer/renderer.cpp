@@ -466,7 +466,7 @@ void Renderer::draw(const Camera& camera, const SeaMoment& moment) {
   if (s.tank)
     s.far_sea.leave_out();
   else
-    s.far_sea.draw(camera, height, frame.waves, 10.0 * s.scene.particle_spacing);
+    s.far_sea.draw(camera, height, frame.waves, kShortestParticleWave * s.scene.particle_spacing);
   pass_done();
   s.bow_spray.advance(moment.time, frame.hulls);
   s.gather(camera, moment, frame);

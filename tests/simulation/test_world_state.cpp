@@ -66,6 +66,15 @@ TEST(WorldState, GoesOnWithEverySolver) {
   }
 }
 
+TEST(WorldState, GoesOnWithABodyAndEverySolver) {
+  for (const SolverKind solver : kAllSolvers) {
+    SCOPED_TRACE(static_cast<int>(solver));
+    Scene scene = floating_box(0.5, solver);
+    scene.water.settle_steps = 5;
+    expect_same_run(scene, 5, 12);
+  }
+}
+
 TEST(WorldState, GoesOnBetweenMirroredAndPeriodicFaces) {
   Scene scene = small_patch();
   scene.patch_edges = {PatchEdge::kPeriodic, PatchEdge::kMirror, PatchEdge::kMirror};
@@ -127,6 +136,18 @@ TEST(WorldState, GoesOnWithACurrentThatIsSlowedDown) {
   scene.current->relaxation = 0.5;
   expect_same_run(scene, 12, 30, [](World& world, std::uint64_t step) {
     if (step == 8) static_cast<void>(test::give(world, ClearCurrent{}));
+  });
+}
+
+TEST(WorldState, GoesOnWithAShearedCurrent) {
+  Scene scene = small_patch();
+  scene.patch_edges[0] = PatchEdge::kPeriodic;
+  scene.current.emplace();
+  scene.current->velocity = {0.8, 0.0, 0.0};
+  scene.current->shear = CurrentShear::kLinear;
+  scene.current->depth = 1.0;
+  expect_same_run(scene, 12, 30, [](World& world, std::uint64_t step) {
+    if (step == 20) static_cast<void>(test::give(world, ClearCurrent{}));
   });
 }
 
@@ -263,6 +284,36 @@ TEST_F(StateFile, StatesOfOtherScenesAreRefused) {
   other = oily_patch(OilModel::kBoth);
   other.particle_spacing = 0.3;
   expect_refused(save_state(World(other, {1, nullptr, {}})), "particle spacing");
+  other = oily_patch(OilModel::kBoth);
+  other.oil->properties.viscosity *= 2.0;
+  expect_refused(save_state(World(other, {1, nullptr, {}})), "differs in: oil;");
+}
+
+TEST(SceneParts, TellBodiesApart) {
+  const Scene scene = floating_box(0.5);
+  const auto part_of = [](const Scene& of) {
+    for (const auto& [name, hash] : World(of, {1, nullptr, {}}).scene_parts())
+      if (name == "bodies") return hash;
+    return std::uint64_t{0};
+  };
+  const std::uint64_t usual = part_of(scene);
+  EXPECT_EQ(part_of(scene), usual);
+  const auto expect_other = [&](const char* what, const auto& change) {
+    Scene other = scene;
+    other.water.settle_steps = 0;
+    change(other.bodies[0]);
+    EXPECT_NE(part_of(other), usual) << what;
+  };
+  expect_other("shape", [](BodySettings& body) { body.primitive = BoxShape{{1.2, 1.2, 0.81}}; });
+  expect_other("mass", [](BodySettings& body) { body.mass.density += 1.0; });
+  expect_other("centre", [](BodySettings& body) { body.mass.centre = Eigen::Vector3d(0.01, 0.0, 0.0); });
+  expect_other("start", [](BodySettings& body) { body.free_from = 3.0; });
+  expect_other("freedoms", [](BodySettings& body) { body.freedoms.about.setZero(); });
+  Scene quay = scene;
+  quay.bodies[0].drive = BodyDrive::kStatic;
+  const std::uint64_t fixed = part_of(quay);
+  quay.bodies[0].position.x() += 0.1;
+  EXPECT_NE(part_of(quay), fixed) << "place of a STATIC body";
 }
 
 }  // namespace

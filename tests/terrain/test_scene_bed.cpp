@@ -174,6 +174,17 @@ TEST_F(SceneBed, OfAPictureIsRefused) {
   expect_fault(read("nothing.asc"), "open_sea.bed.file: \"nothing.asc\" is not there; looked for");
 }
 
+TEST_F(SceneBed, OfWordsThatAreNoNumbersIsRefused) {
+  for (const char* word : {"-5,5", "abc", "nan", "inf", "--5", "5m"}) {
+    write_ascii("good.asc", mound);
+    std::ifstream good(file("good.asc"));
+    std::string text((std::istreambuf_iterator<char>(good)), {});
+    const std::size_t at = text.rfind(' ');  // the last number
+    std::ofstream(file("bad.asc")) << text.substr(0, at + 1) << word << "\n";
+    expect_fault(read("bad.asc"), std::string("has \"") + word + "\" in line 90; allowed: decimal numbers");
+  }
+}
+
 TEST_F(SceneBed, NearAnOpenEdgeIsNearlyLevel) {
   write_ascii("ridge.asc", [](double x, double) { return -5.0 + (x > -26.0 && x < -24.0 ? 2.0 : 0.0); });
   expect_fault(

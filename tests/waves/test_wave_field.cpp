@@ -313,6 +313,11 @@ TEST(WaveBlend, RefusesMoreBlendsThanItKeepsAndDropsThoseThatAreOver) {
   EXPECT_EQ(field.open_from(), 61.0) << "when the first blend is over";
   EXPECT_FALSE(field.exchange({}, 60.9, 60.0));
   EXPECT_EQ(field.layers().size(), WaveField::kMostLayers);
+  WaveField at_once = field;
+  EXPECT_TRUE(at_once.exchange({wave_of(1.0, 0.1, kInfiniteDepth, 0.0, 0.0)}, 60.9, 0.0)) << "it needs no room";
+  EXPECT_EQ(at_once.layers().size(), 2U);
+  EXPECT_NEAR(surface_at(at_once.at(60.9, {0.0, 0.0}), 0.0F, 0.0F).elevation, std::cos(60.9 * std::sqrt(0.1 * 9.81)),
+              0.01);
   EXPECT_TRUE(field.exchange({wave_of(1.0, 0.1, kInfiniteDepth, 0.0, 0.0)}, 200.0, 0.0));
   EXPECT_EQ(field.layers().size(), 2U);
   EXPECT_EQ(field.components().size(), 1U);

@@ -66,7 +66,10 @@ WaveField WaveField::of_layers(std::vector<WaveLayer> layers, double level, doub
 bool WaveField::exchange(std::vector<WaveComponent> components, double time, double seconds) {
   std::size_t first = layers_.size() - 1;  // that counts: the newest one that is there in full
   while (first > 0 && share_of(layers_[first], time).value < 1.0) --first;
-  if (layers_.size() - first >= kMostLayers) return false;
+  if (layers_.size() - first >= kMostLayers) {
+    if (seconds > 0.0) return false;
+    first = layers_.size() - 1;  // at once: what still blends has no share from `time` on
+  }
   layers_.erase(layers_.begin(), layers_.begin() + static_cast<std::ptrdiff_t>(first));
   layers_.push_back({std::move(components), time, seconds});
   return true;

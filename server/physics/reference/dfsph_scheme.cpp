@@ -48,7 +48,9 @@ void advance_dfsph(TaskPool& pool, FluidState& state, double dt, Clock clock, St
   });
   refresh_all(pool, state, clock, report);
   run_stage(report, clock, Stage::kDivergenceSolve, [&] { solve_divergence(pool, state, dt, report); });
-  state.gradients_present = true;
+  // Bodies still move in this step, and oil may come: the next step then begins with gradients of its own, so that it
+  // depends on the state alone.
+  state.gradients_present = state.moving_position.empty() && state.oil_count == 0;
 }
 
 }  // namespace pelagos

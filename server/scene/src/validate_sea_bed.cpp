@@ -51,10 +51,10 @@ void check_heights(const FieldReader& entry, const Scene& scene, const SeaBedSet
     const double above = static_cast<double>(grid.height[node]) - bottom;
     const bool near = distance_inside(scene.patch, scene.patch_edges, {grid.node_x(node), grid.node_y(node)}) < blended;
     if (near && std::abs(above) > most)
-      return entry.fault("file", "is " + format_number(above) + " m above the level bottom " + at(grid, node) +
-                                     ", near an open edge; allowed: at most " + format_number(most) +
-                                     " m of difference, a fifth of blend_width, within " + format_number(blended) +
-                                     " m of open edges");
+      return entry.fault("file", "is " + format_number(std::abs(above)) + (above > 0.0 ? " m above" : " m below") +
+                                     " the level bottom " + at(grid, node) + ", near an open edge; allowed: at most " +
+                                     format_number(most) + " m of difference, a fifth of blend_width, within " +
+                                     format_number(blended) + " m of open edges");
     if (above < -kLeastBelow * d)
       return entry.fault("file", "lies " + format_number(-above) + " m below the lowest water " + at(grid, node) +
                                      "; allowed: a block of water and a depth that reach the deepest place");

@@ -24,7 +24,7 @@ double possible_height(const WindSea& sea, double gravity) {
 SteadyWind steady_wind(const Eigen::Vector3d& wind) { return {wind.head<2>().norm(), current_to_deg(wind)}; }
 
 GrowingSea start_growing(const SeaSettings& settings, const WindSea& now, double time) {
-  return {settings, now, now, time + kSeaRenewal};
+  return {settings, now, now, time, time + kSeaRenewal};
 }
 
 SeaSettings present_sea(const GrowingSea& sea, double gravity) {

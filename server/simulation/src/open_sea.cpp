@@ -10,6 +10,7 @@
 #include "labelled_waves.hpp"
 #include "sea_bed.hpp"
 #include "smooth_step.hpp"
+#include "waves/patch_blend.hpp"
 
 namespace pelagos {
 
@@ -362,7 +363,7 @@ CouplingFade OpenSea::coupling_fade() const {
 
 WaveMoment OpenSea::moment(const WaveField& sea, const Eigen::Vector2d& anchor, double time) const {
   WaveMoment moment = sea.at(time, anchor);
-  const auto most = static_cast<float>(2.0 * std::numbers::pi / (kShortestWave * shape_.spacing));
+  const auto most = static_cast<float>(2.0 * std::numbers::pi / (kShortestParticleWave * shape_.spacing));
   std::erase_if(moment.waves, [most](const MomentWave& wave) { return wave.wavenumber > most; });
   return moment;
 }

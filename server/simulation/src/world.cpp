@@ -191,6 +191,7 @@ WorldStep World::advance(const StepInputs& inputs) {
   WorldStep step;
   step.outcomes = take(inputs);
   step.sea_renewed = grow_sea();
+  choose_filter();
   renew_edges();
   const double dt = choose_step();
   follow(dt);
@@ -455,51 +456,6 @@ void World::restore(const WorldState& state) {
   water_surface_.forget();
   faults_ = state.faults;
   largest_speed_ = state.largest_speed;
-}
-
-namespace {
-
-/// Of several values together.
-template <class... Values>
-std::uint64_t hash_together(const Values&... values) {
-  ByteHash hash;
-  const auto add = [&hash](const auto& value) {
-    const std::uint64_t part = hash_fields(value);
-    hash.add(&part, sizeof part);
-  };
-  (add(values), ...);
-  return hash.value();
-}
-
-std::uint64_t hash_of_bodies(const Scene& scene, const Bodies& bodies, const FluidState& fluid) {
-  std::vector<std::array<std::uint32_t, 2>> drives;
-  for (const BodySettings& body : scene.bodies) drives.push_back({body.id, static_cast<std::uint32_t>(body.drive)});
-  std::vector<std::array<int, 3>> nodes;
-  for (const Solid& solid : fluid.solids)
-    nodes.push_back({solid.field->nodes[0], solid.field->nodes[1], solid.field->nodes[2]});
-  std::vector<double> freedoms;
-  for (const BodySettings& body : scene.bodies)
-    for (const Eigen::Vector3d& motions : {body.freedoms.along, body.freedoms.about})
-      freedoms.insert(freedoms.end(), motions.begin(), motions.end());
-  return hash_together(drives, std::uint64_t{bodies.sample_count()}, nodes, freedoms);
-}
-
-}  // namespace
-
-SceneParts World::scene_parts() const {
-  const FluidParameters& p = fluid_.parameters;
-  const auto walls = fluid_.walls.position.begin();
-  return {{"seed", hash_together(scene_.seed)},
-          {"frame rate", hash_together(scene_.frame_interval, scene_.frame_times)},
-          {"gravity", hash_together(scene_.gravity)},
-          {"particle spacing", hash_together(std::array{scene_.particle_spacing, p.support_radius})},
-          {"water", hash_together(std::array{p.viscosity, p.filter, p.rest_density})},
-          {"solver", hash_together(p.scheme)},
-          {"patch", hash_together(scene_.patch_edges, scene_.patch.min, scene_.patch.max)},
-          {"open sea", hash_together(std::array{scene_.open_sea.zone_width, scene_.open_sea.depth})},
-          {"sea bed", hash_together(scene_.open_sea.bed.heights.height, scene_.open_sea.bed.blend_width)},
-          {"walls", hash_together(std::vector(walls, walls + static_cast<std::ptrdiff_t>(fluid_.static_walls)))},
-          {"bodies", hash_of_bodies(scene_, bodies_, fluid_)}};
 }
 
 SceneInfo World::describe() const {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
@@ -158,6 +159,7 @@ std::optional<Refusal> World::set_sea(const SetSea& command) {
     const SteadyWind wind = steady_wind(wind_ ? wind_->air().settings_at(time).velocity : Eigen::Vector3d::Zero());
     const bool goes_on = growing_sea_ && !wind_sea->blown_for;
     growing = start_growing(command.sea, goes_on ? growing_sea_->now : start_wind_sea(*wind_sea, wind, gravity), time);
+    growing->renewal = time + std::max(kSeaRenewal, command.blend_seconds);
   }
   MadeSea made = make_sea(scene_, growing ? present_sea(*growing, gravity) : command.sea);
   if (auto refusal = exchange_sea(std::move(made.waves), command.blend_seconds, std::move(made.request)))
@@ -167,15 +169,19 @@ std::optional<Refusal> World::set_sea(const SetSea& command) {
 }
 
 bool World::grow_sea() {
-  if (!growing_sea_ || clock_.time() < growing_sea_->renewal) return false;
+  if (!growing_sea_) return false;
   GrowingSea& sea = *growing_sea_;
-  const SteadyWind wind =
-      steady_wind(wind_ ? wind_->air().settings_at(clock_.time()).velocity : Eigen::Vector3d::Zero());
-  sea.now = wind_sea_after(sea.now, *sea.asked.wind_sea, wind, kSeaRenewal, around_.gravity);
-  sea.renewal += kSeaRenewal;
+  const double time = clock_.time();
+  if (time >= sea.looked_at + kSeaGrowth) {
+    const SteadyWind wind = steady_wind(wind_ ? wind_->air().settings_at(time).velocity : Eigen::Vector3d::Zero());
+    sea.now = wind_sea_after(sea.now, *sea.asked.wind_sea, wind, time - sea.looked_at, around_.gravity);
+    sea.looked_at = time;
+  }
+  if (time < sea.renewal) return false;
+  sea.renewal = time + kSeaRenewal;
   if (!needs_renewal(sea)) return false;
   MadeSea made = make_sea(scene_, present_sea(sea, around_.gravity));
-  if (exchange_sea(std::move(made.waves), kSeaRenewal, std::move(made.request))) return false;  // the next time, then
+  if (exchange_sea(std::move(made.waves), kSeaRenewal, std::move(made.request))) return false;  // other blends run
   sea.shown = sea.now;
   return true;
 }
@@ -228,14 +234,17 @@ void World::start_current() {
   largest_speed_ = measure().largest_speed;
 }
 
+/// The shear of a current is slow rotation, but no noise.
+void World::choose_filter() {
+  const std::optional<Current>& current = current_.running ? current_.running : current_.slowing;
+  const bool is_sheared = current && drive_.any() && current->target().shear != CurrentShear::kNone;
+  fluid_.parameters.weak_rotation = is_sheared ? 0.0 : kWeakRotation;
+}
+
 void World::drive_current(double time, StepReport& report) {
   if (current_.slowing && clock_.time() >= current_.slowing_until) current_.slowing.reset();
   const std::optional<Current>& current = current_.running ? current_.running : current_.slowing;
-  const bool drives = current && drive_.any();
-  // The shear of a current is slow rotation: it is no noise.
-  const bool is_sheared = drives && current->target().shear != CurrentShear::kNone;
-  fluid_.parameters.weak_rotation = is_sheared ? 0.0 : kWeakRotation;
-  if (!drives) return;
+  if (!current || !drive_.any()) return;
   const StageScope scope(report.times, options_.clock, Stage::kCurrent);
   FluidParticles& p = fluid_.particles;
   drive_.add_acceleration(*pool_, *current, time, p.position, p.velocity, p.count, p.acceleration);

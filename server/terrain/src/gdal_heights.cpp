@@ -6,11 +6,16 @@
 #include <ogr_spatialref.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "terrain_module.hpp"
@@ -18,6 +23,7 @@
 namespace {
 
 constexpr double kMostCells = 64e6;  // of the file, within the area that is asked for: 512 MB
+constexpr int kMostHeaderLines = 8;  // of an ESRI ASCII grid
 constexpr double kMargin = 2.0;      // cells read around that area
 
 using Places = std::vector<double>;
@@ -137,11 +143,35 @@ std::string check_unit(GDALRasterBand& band) {
   return "has heights in \"" + unit + "\"; allowed: metres";
 }
 
+/// GDAL takes a word of an ASCII grid that is no number for 0, and "-6,5" for -6.
+std::string check_ascii_numbers(const char* file) {
+  std::ifstream in(file);
+  std::string line, word;
+  for (int number = 1; std::getline(in, line); ++number) {
+    std::istringstream words(line);
+    bool first = true;
+    while (words >> word) {
+      double value = 0.0;
+      const char* begin = word.data() + (word[0] == '+' ? 1 : 0);
+      const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
+      const bool decimal = error == std::errc() && end == word.data() + word.size() && std::isfinite(value);
+      const bool name = first && std::isalpha(static_cast<unsigned char>(word[0])) && number <= kMostHeaderLines;
+      if (!decimal && !name)
+        return "has \"" + word.substr(0, 40) + "\" in line " + std::to_string(number) +
+               "; allowed: decimal numbers with a point, and the NODATA_value where there is no height";
+      first = false;
+    }
+  }
+  return "";
+}
+
 std::string read(const PelagosHeightRequest& request) {
   GDALAllRegister();
   const char* drivers[] = {"GTiff", "AAIGrid", nullptr};
   const std::unique_ptr<GDALDataset> data(GDALDataset::Open(request.file, GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
   if (!data) return "is no GeoTIFF or ESRI ASCII grid that can be read" + last_error();
+  if (std::string_view(data->GetDriver()->GetDescription()) == "AAIGrid")
+    if (std::string fault = check_ascii_numbers(request.file); !fault.empty()) return fault;
   if (data->GetRasterCount() != 1)
     return "has " + std::to_string(data->GetRasterCount()) + " bands; allowed: one, the heights";
   GDALRasterBand& band = *data->GetRasterBand(1);

@@ -5,6 +5,9 @@
 
 namespace pelagos {
 
+/// Waves shorter than this many spacings are not carried by particles: they stay outside a patch, and are drawn on it.
+inline constexpr double kShortestParticleWave = 8.0;
+
 /// How the surface passes at the edges of the patch from the wave field, outside, to the particles, inside. The shaders
 /// take `start` and `full` from here and have the same formula (patch_weight in common.glsl).
 struct PatchBlend {

@@ -45,8 +45,8 @@ class WaveField {
   /// start
   [[nodiscard]] static WaveField of_layers(std::vector<WaveLayer> layers, double level, double depth = kInfiniteDepth);
 
-  /// From `time` on blends into other components over `seconds`. Layers that no longer count then are dropped.
-  /// @return false, and nothing has changed, where kMostLayers blends still run
+  /// From `time` on blends into other components over `seconds` (0: at once). Layers that no longer count then are
+  /// dropped. @return false, and nothing has changed, where kMostLayers blends still run and this is to be one more
   [[nodiscard]] bool exchange(std::vector<WaveComponent> components, double time, double seconds);
 
   /// s, simulated: from when on exchange() takes another sea.

@@ -9,6 +9,9 @@ namespace pelagos {
 /// s of simulated time between two seas that the wind has raised; the waves blend from one into the next meanwhile.
 inline constexpr double kSeaRenewal = 30.0;
 
+/// s of simulated time for which the wind counts as steady.
+inline constexpr double kSeaGrowth = 1.0;
+
 /// @param wind  m/s, at 10 m; its level part counts
 [[nodiscard]] SteadyWind steady_wind(const Eigen::Vector3d& wind);
 

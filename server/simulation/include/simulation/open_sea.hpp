@@ -99,8 +99,6 @@ class OpenSea {
 
   [[nodiscard]] const OpenSeaShape& shape() const { return shape_; }
   [[nodiscard]] double rim() const { return kRimColumns * shape_.spacing; }  ///< m
-  /// Waves shorter than this many spacings stay outside the patch.
-  static constexpr double kShortestWave = 8.0;
   /// m, from the nearest open edge inwards; negative beyond it. Large without open edges.
   [[nodiscard]] double inside(double x, double y) const;
   /// m, from the upper (way 1) or lower (-1) edge across an axis inwards.

@@ -19,15 +19,16 @@ struct MadeSea {
 
 /// A sea that the wind raises; see simulation/growing_sea.hpp.
 struct GrowingSea {
-  SeaSettings asked;     ///< with its wind_sea, and the systems beside it
-  WindSea now, shown;    ///< what the wind has raised, and what the waves around were made from
-  double renewal = 0.0;  ///< s, simulated time: when it is looked at next
+  SeaSettings asked;                      ///< with its wind_sea, and the systems beside it
+  WindSea now, shown;                     ///< what the wind has raised, and what the waves around were made from
+  double looked_at = 0.0, renewal = 0.0;  ///< s, simulated time: of `now`; when other waves may be made next
 
   template <class Self, class Visitor>
   static void visit_fields(Self& self, Visitor& visit) {
     visit("asked", self.asked);
     visit("now", self.now);
     visit("shown", self.shown);
+    visit("looked_at", self.looked_at);
     visit("renewal", self.renewal);
   }
 };

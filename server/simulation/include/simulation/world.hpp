@@ -169,6 +169,7 @@ class World {
   [[nodiscard]] std::optional<Refusal> exchange_sea(std::vector<WaveComponent> waves, double blend_seconds,
                                                     std::optional<SeaRequest> request);
   [[nodiscard]] std::optional<Refusal> set_sea(const SetSea& command);
+  void choose_filter();
   /// @return whether the waves around are others from now on
   bool grow_sea();
   void set_current(const CurrentSettings& current, double ramp_seconds);
