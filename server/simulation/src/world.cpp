@@ -133,6 +133,7 @@ World::World(const Scene& scene, const WorldOptions& options, const SceneSea& se
   if (scene_.oil) spill_.emplace(scene_, fluid_, frame_, water_level_);
   note_start();
   if (options_.placed) options_.placed(*this);
+  choose_filter();
   settle();
   for (std::size_t i = 0; i < fluid_.particles.count; ++i)
     fluid_.particles.acceleration[i] = {0.0F, 0.0F, static_cast<float>(-scene_.gravity), 0.0F};
