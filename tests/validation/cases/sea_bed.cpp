@@ -109,8 +109,9 @@ void run_bar(Session& session, double spacing) {
 
 void run_sea_bed(Session& session) {
   run_level(session);
+  if (session.quick()) return;
   run_bar(session, 1.0);
-  if (!session.quick()) run_bar(session, 0.5);
+  run_bar(session, 0.5);
 }
 
 }  // namespace pelagos::validation
